@@ -9,6 +9,7 @@ import contextlib
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -35,10 +36,10 @@ def whole(least, most=None):
     """A whole number in this range."""
     def read(text):
         expected = f"a whole number from {least} {'on' if most is None else f'to {most}'}"
-        try:
-            number = int(text)
-        except ValueError:
-            raise _wrong(repr(text), expected) from None
+        # int() also takes 1_000, spaces around and the digits of other scripts; and refuses very long numbers.
+        if not re.fullmatch(r"[+-]?[0-9]{1,30}", text):
+            raise _wrong(repr(text), expected)
+        number = int(text)
         if number < least or most is not None and number > most:
             raise _wrong(repr(text), expected)
         return number
@@ -80,6 +81,8 @@ def reading(path, expected):
     """What is wrong with the contents of a file is one sentence."""
     try:
         yield
+    except RecursionError:
+        raise Refused(f"{path}: found values within values, too many of them, expected {expected}") from None
     except (ValueError, LookupError, TypeError, AttributeError) as wrong:
         what = f"no {wrong}" if isinstance(wrong, KeyError) else str(wrong)
         raise Refused(f"{path}: found {what}, expected {expected}") from None
@@ -115,6 +118,9 @@ def run(main):
         command = wrong.cmd if isinstance(wrong.cmd, str) else " ".join(map(str, wrong.cmd[:3]))
         said = wrong.stderr.strip() if isinstance(wrong.stderr, str) else ""
         sentence = f"{command} ended with {wrong.returncode}" + (f": {said.splitlines()[-1]}" if said else "")
+    except subprocess.TimeoutExpired as wrong:
+        command = wrong.cmd if isinstance(wrong.cmd, str) else " ".join(map(str, wrong.cmd[:3]))
+        sentence = f"{command} did not end within {round(wrong.timeout, 2):g} s"
     else:
         sys.exit(status)
     print(f"{name}: {sentence}", file=sys.stderr)

@@ -130,7 +130,7 @@ def read_line(name):
     try:
         with open(name, encoding="utf-8") as file:
             line = json.load(file)
-    except ValueError as wrong:
+    except (ValueError, RecursionError) as wrong:
         raise SystemExit(f"bridge: {name}: found {wrong}, expected JSON") from None
     if not isinstance(line, dict) or line.get("schema") != "etcs-line/1":
         raise SystemExit(f"bridge: {name}: /schema: found another document, expected \"etcs-line/1\"")

@@ -36,6 +36,8 @@ class CommandLine(unittest.TestCase):
     def test_numbers(self):
         for arguments in (["--seed", "x"], ["--seed", "-1"], ["--seed", "1.5"], ["--seed", ""], []):
             self.refused("tools/random_line.py", *arguments, says="--seed")
+        for number in ("1_000", "\uff11\uff12", "\u0661", " 1", "1 ", "0x1", "1" * 5000):
+            self.refused("tools/random_line.py", "--seed", number, says="expected a whole number")
         self.refused("tools/campaign_journeys.py", "--journeys", "0", says="found '0', expected a whole number from 1 on")
         self.refused("tools/campaign_lines", "--runs", "many", says="--runs")
         self.refused("tools/compare_lines.py", "--before", sys.executable, "--after", sys.executable, "--lines", "0", says="--lines")
@@ -82,7 +84,19 @@ class CommandLine(unittest.TestCase):
                 if name not in ("object", "list"):
                     self.refused("tools/check_replays.py", "--filled", path, says="check_replays.py: ")
                 self.refused("examples/bridge/bridge.py", path, says=str(path))
+            path = pathlib.Path(folder) / "deep.json"
+            path.write_text("[" * 200000, encoding="ascii")
+            for program in ("tools/campaign_lines", "examples/bridge/bridge.py"):
+                self.refused(program, path, says=str(path))
+            self.refused("tools/plot_growth", path, "-o", path.with_suffix(".svg"), says=str(path))
             self.refused("tools/generate_language.py", folder, says="variables.json")
+
+    def test_a_program_that_does_not_end(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "waits.py"
+            path.write_text(f"import subprocess, sys\nsys.path.insert(0, {str(ROOT / 'tools')!r})\nimport command_line\n"
+                            "command_line.run(lambda: subprocess.run(['sleep', '9'], timeout=0.1))\n", encoding="utf-8")
+            self.refused(path, says="waits.py: sleep 9 did not end within 0.1 s")
 
 
 if __name__ == "__main__":
