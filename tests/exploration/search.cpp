@@ -106,8 +106,7 @@ class Search {
     for (auto c = waiting_.begin(); c != waiting_.end(); ++c) {
       while (!c->second.empty() && !nodes_[c->second.front()].world) c->second.pop_front();
       if (c->second.empty()) continue;
-      const std::tuple now{times_of_mode_[std::get<Mode>(c->first)], times_[c->first],
-                           c->second.front()};
+      const std::tuple now{times_of_mode_[std::get<Mode>(c->first)], times_[c->first], c->second.front()};
       if (best != waiting_.end() && least <= now) continue;
       best = c;
       least = now;
