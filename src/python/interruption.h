@@ -13,9 +13,11 @@ namespace evc::python {
 struct ProcessEnd {
   inline static std::atomic<bool> near{false};
   inline static std::atomic<int> computations{0};
+  inline static std::thread::id ending;  ///< the thread that ends the interpreter; read when `near`
 
   /// Called by Python before it ends, with the lock: each computation ends soon.
   static void come() {
+    ending = std::this_thread::get_id();
     near = true;
     const pybind11::gil_scoped_release unlocked;
     const auto latest = std::chrono::steady_clock::now() + std::chrono::seconds(5);
@@ -29,8 +31,14 @@ class Unlocked {
  public:
   Unlocked() : state_((++ProcessEnd::computations, PyEval_SaveThread())) {}
   ~Unlocked() {
-    --ProcessEnd::computations;
+    // Who would wait for the lock while the interpreter ends does not ask for it: only threads are left for which
+    // nobody waits. Who asked before has it before the end goes on.
+    if (ProcessEnd::near && std::this_thread::get_id() != ProcessEnd::ending) {
+      --ProcessEnd::computations;
+      wait_for_the_end();
+    }
     lock();
+    --ProcessEnd::computations;
   }
   Unlocked(const Unlocked&) = delete;
   Unlocked& operator=(const Unlocked&) = delete;
@@ -55,8 +63,11 @@ class Unlocked {
     try {
       PyEval_RestoreThread(state_);
     } catch (...) {
-      for (;;) ::pause();
+      wait_for_the_end();
     }
+  }
+  [[noreturn]] static void wait_for_the_end() noexcept {
+    for (;;) ::pause();
   }
 
   PyThreadState* state_;
