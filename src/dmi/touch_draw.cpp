@@ -40,8 +40,9 @@ void name_opening(Touch& touch, const Target& target) {
   for (const Area area : {Area::F1, Area::F2, Area::F3, Area::F4, Area::F5})
     if (rect_of(area) == target.abs) touch.name.append(name(area));
   if (touch.name.empty()) touch.name.append(target.abs == kNumberPlace ? "TRN" : "SE04");
-  for (const char c : std::string_view(row_of(static_cast<WindowId>(target.action.argument)).title)) {
-    const char small = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const char* const title = row_of(static_cast<WindowId>(target.action.argument)).title;
+  for (std::size_t i = 0; title[i] != '\0'; ++i) {
+    const char small = title[i] >= 'A' && title[i] <= 'Z' ? static_cast<char>(title[i] - 'A' + 'a') : title[i];
     touch.action.append(std::string_view(&small, 1));
   }
 }
