@@ -82,7 +82,7 @@ OrderedJson timeline_of(Scene& scene, const JsonPlace& given, const JsonPlace& a
   // A cursor or frame begins at a whole second.
   const std::int64_t begin = given.find("events") ? 0 : (scene.player.now_ms() / 1000 + 1) * 1000;
   for (std::size_t i = 0; i < asked.size(); ++i) {
-    const auto ms = begin + static_cast<std::int64_t>(asked[i]["t"].number(0.0, 1e6) * 1000.0 + 0.5);
+    const auto ms = begin + ms_of(asked[i]["t"]);
     if (const auto events = given.find("events"))
       play_events_to(scene, *events, next, ms);
     else

@@ -31,10 +31,6 @@ std::optional<std::string_view> behind(std::string_view text, std::string_view w
   return text.substr(with.size());
 }
 
-std::int64_t ms_of(const JsonPlace& seconds) {
-  return static_cast<std::int64_t>(seconds.number(0.0, 1e6) * 1000.0 + 0.5);
-}
-
 Area area_named(const JsonPlace& p) {
   for (const dmi::AreaRow& row : dmi::kAreaRows)
     if (p.string() == row.name) return row.value;
@@ -522,6 +518,10 @@ void play_timed(Scene& scene, const JsonPlace& event) {
 std::int64_t lead_of(const JsonPlace& event) { return event.find("ack") ? 2200 : 0; }
 
 }  // namespace
+
+std::int64_t ms_of(const JsonPlace& seconds) {
+  return static_cast<std::int64_t>(seconds.number(0.0, 1e6) * 1000.0 + 0.5);
+}
 
 Picture picture_named(const JsonPlace& place) {
   for (const PictureRow& row : kPictureRows)

@@ -60,6 +60,8 @@ void add_request(Scene& scene, const io::JsonPlace& request);
 Ack ack_named(const io::JsonPlace& mode);
 /// The symbol or text whose acknowledgement is on offer; none.
 std::optional<std::string> shown_request(const Scene& scene);
+/// A time of a case, up to 1e6 s, in ms. Throws ReadError.
+std::int64_t ms_of(const io::JsonPlace& seconds);
 /// The picture with this name, "PL21". Throws ReadError.
 Picture picture_named(const io::JsonPlace& place);
 

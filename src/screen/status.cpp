@@ -174,7 +174,7 @@ void play_status_texts(Scene& scene, const JsonPlace& given) {
   step(scene, facts, false);
   scene.player.show();
   if (after) {
-    scene.player.run_to(static_cast<std::int64_t>(after->number(0.0, 1e6) * 1000.0 + 0.5));
+    scene.player.run_to(ms_of(*after));
     step(scene, {}, false);
   } else if (ended) {
     // The reason has ended, 30 s have gone by, and a button of the main window was touched: each is the end of some
