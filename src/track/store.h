@@ -43,6 +43,8 @@ void carry_acceptance(ModeProfile& fresh, const Description& stored, const Here&
 /// An area whose begin the train has not reached is accepted while the train is in its mode only; in another one its
 /// begin is a temporary EOA again (3.12.4.7). True: one was accepted before.
 bool forget_acceptance_ahead(ModeProfile& profile, Mode mode, const Here& here);
+/// The same of the profile that is stored.
+void forget_acceptance_ahead(Description& d, Mode mode, const Here& here);
 
 /// Stores the contents of a message: shortening first, then the MA if it is complete, then each packet by its rule of
 /// 3.7.3. `refuse_ma`: the clause because of which an MA cannot be accepted now (3.10.2.4 pending emergency stop, 4.8.3

@@ -199,6 +199,10 @@ bool forget_acceptance_ahead(ModeProfile& profile, Mode mode, const Here& here) 
   return forgotten;
 }
 
+void forget_acceptance_ahead(Description& d, Mode mode, const Here& here) {
+  if (forget_acceptance_ahead(d.mode_profile, mode, here)) ++d.revision;
+}
+
 void store_authority(const Filing& f, const AuthorityContents& c, const std::optional<Place>& infill, bool described,
                      Clause refuse_ma) {
   Description& d = f.d;

@@ -521,6 +521,12 @@ TEST(Store, AheadOfAnAreaItsAcceptanceEndsWithItsMode) {
       EXPECT_EQ(forget_acceptance_ahead(profile, mode, here), !kept) << beyond;
       EXPECT_EQ(profile[0].accepted, kept) << beyond;
       EXPECT_FALSE(forget_acceptance_ahead(profile, mode, here)) << "once";
+      // The curves are computed anew for it.
+      Description d;
+      ASSERT_TRUE(d.mode_profile.push_back(area));
+      const auto revision = d.revision;
+      forget_acceptance_ahead(d, mode, here);
+      EXPECT_EQ(d.revision, kept ? revision : revision + 1) << beyond;
     }
 }
 

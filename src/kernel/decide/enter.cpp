@@ -45,7 +45,7 @@ void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log)
   s.toggled_on = false;  // 015560 8.2.2.4: off at each entry
   for (track::ModeArea& area : s.track.mode_profile)
     area.asked = false;  // asked of the driver in the mode that is left
-  if (track::forget_acceptance_ahead(s.track.mode_profile, to, here)) ++s.track.revision;
+  track::forget_acceptance_ahead(s.track, to, here);
   ++s.revision;
   procedures::level_transition::on_mode_change(s.level_transition, from, to, s.srs);
   procedures::mode_profile::on_mode_change(s.mode_profile, to, number, s.now);

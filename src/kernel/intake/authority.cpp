@@ -132,7 +132,7 @@ void store_contents(Evaluation& e) {
   const track::Stored stored = track::store(s.track, e.contents, out.here);
   if (anchor != Anchor::lrbg) track::relocate(s.track, Anchor::received, anchor, e.information.widening);
   // The acceptance of an area that is left is none for another one ahead.
-  (void)track::forget_acceptance_ahead(s.track.mode_profile, s.mode, out.here);
+  track::forget_acceptance_ahead(s.track, s.mode, out.here);
   tell_stored(e, stored);
   if (stored.trip_order) out.trip_order = true;
   if (stored.shortened && s.track.ma && !s.track.ma->sections.empty()) {

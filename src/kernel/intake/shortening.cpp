@@ -60,7 +60,7 @@ Clause take_shortening(Evaluation& e, const lang::MessageToTrainView& view) {
   if (!granted) return "3.8.6.2"_srs;
   proposed.ma_is_shortening_request = true;
   (void)track::store(s.track, proposed, e.r.out.here);
-  (void)track::forget_acceptance_ahead(s.track.mode_profile, s.mode, e.r.out.here);
+  track::forget_acceptance_ahead(s.track, s.mode, e.r.out.here);
   cut_beyond(s, proposed.ma->far_end());
   return {};
 }
