@@ -20,6 +20,7 @@ constexpr std::initializer_list<const char*> kTrainKeys = {
     "A_brake_emergency",
     "A_brake_service",
     "A_brake_normal_service",
+    "A_brake_normal_service_G",
     "Kdry_rst",
     "Kwet_rst",
     "Kn_plus",
@@ -184,11 +185,11 @@ void read_special_brakes(TrainData& data, const JsonPlace& brakes) {
 }
 
 /// One table for every full service deceleration, or the three models with their limits.
-void read_normal_service(TrainData& data, const JsonPlace& place) {
-  auto& normal = data.normal_service;
+train::NormalServiceModels read_normal_service(const JsonPlace& place) {
+  train::NormalServiceModels normal;
   if (place.is_array()) {
     normal.A_brake_normal_service.fill(read_decelerations(place, kNormalService));
-    return;
+    return normal;
   }
   place.know_only({"A_SB01", "A_SB12", "models"});
   normal.A_SB01 = {place["A_SB01"].number(0.0, 10.0, kNormalService)};
@@ -196,6 +197,7 @@ void read_normal_service(TrainData& data, const JsonPlace& place) {
   require_row(place["models"], normal.A_brake_normal_service.size());
   for (std::size_t i = 0; i < normal.A_brake_normal_service.size(); ++i)
     normal.A_brake_normal_service[i] = read_decelerations(place["models"][i], kNormalService);
+  return normal;
 }
 
 train::KnSteps read_kn(const JsonPlace& table) {
@@ -274,7 +276,8 @@ void read_brakes(TrainData& data, const JsonPlace& place) {
     data.brake_percentage = number_or(*p, 10.0, 250.0, train::Fault::brake_percentage);
   read_models(data, place, 0);
   if (const auto p = place.find("special_brakes"); p && !p->is_null()) read_special_brakes(data, *p);
-  if (const auto p = place.find("A_brake_normal_service")) read_normal_service(data, *p);
+  if (const auto p = place.find("A_brake_normal_service")) data.normal_service = read_normal_service(*p);
+  if (const auto p = place.find("A_brake_normal_service_G")) data.normal_service_G = read_normal_service(*p);
   if (const auto p = place.find("Kn_plus")) data.Kn_plus = read_kn(*p);
   if (const auto p = place.find("Kn_minus")) data.Kn_minus = read_kn(*p);
   if (data.brake_model == train::BrakeModel::lambda) return;

@@ -87,6 +87,22 @@ TEST(TrainFile, GammaStepsAndFactorsGetCommonSteps) {
   EXPECT_EQ(train->data.Kn_minus.at({}), 4_m_s2);
 }
 
+TEST(TrainFile, NormalServiceOfTheBrakePositionG) {
+  const auto train = read_train(R"({"schema":"etcs-train/1","A_brake_normal_service":[[0,0.6]],
+    "A_brake_normal_service_G":{"A_SB01":0.4,"A_SB12":0.7,"models":[[[0,0.1]],[[0,0.2],[50,0.15]],[[0,0.3]]]}})",
+                                "t.json");
+  ASSERT_TRUE(train) << train.error().text();
+  EXPECT_EQ(train->data.normal_service.A_brake_normal_service[1].at({}), 0.6_m_s2);
+  ASSERT_TRUE(train->data.normal_service_G);
+  EXPECT_EQ(train->data.normal_service_G->A_SB12, 0.7_m_s2);
+  EXPECT_EQ(train->data.normal_service_G->A_brake_normal_service[1].size(), 2u);
+  EXPECT_EQ(train_error(R"({"schema":"etcs-train/1","A_brake_normal_service_G":[[0,11]]})"),
+            "t.json: /A_brake_normal_service_G/0/1: found 11, expected 0 to 10 (SUBSET-026 3.13.2.2.3.1.9)");
+  EXPECT_EQ(
+      train_error(R"({"schema":"etcs-train/1","A_brake_normal_service_G":{"A_SB01":0.4,"A_SB12":0.3,"models":[]}})"),
+      "t.json: /A_brake_normal_service_G/A_SB12: found 0.3, expected 0.4 to 10 (SUBSET-026 3.13.2.2.3.1.9)");
+}
+
 TEST(TrainFile, SpecialBrakes) {
   const auto train = read_train(R"({"schema":"etcs-train/1","brake_model":"gamma",
     "A_brake_emergency":[[0,1.2]],"A_brake_service":[[0,0.9]],"T_brake_emergency_s":2.5,"T_brake_service_s":3.5,

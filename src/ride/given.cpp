@@ -149,8 +149,8 @@ void exchange(Archive& a, train::TractionSystem& t) {
 template <class Archive>
 void exchange(Archive& a, train::TrainData& t) {
   fields(a, t.brake_model, t.brake_position, t.brake_percentage, t.emergency, t.service, t.T_emergency, t.T_service,
-         t.normal_service, t.Kn_plus, t.Kn_minus, t.regenerative, t.eddy_current, t.magnetic_shoe, t.electro_pneumatic,
-         t.regenerative_needs_line_voltage, t.adhesion_independent_brake);
+         t.normal_service, t.normal_service_G, t.Kn_plus, t.Kn_minus, t.regenerative, t.eddy_current, t.magnetic_shoe,
+         t.electro_pneumatic, t.regenerative_needs_line_voltage, t.adhesion_independent_brake);
   fields(a, t.T_traction_cut_off, t.traction_cut_off_interface, t.service_brake_interface, t.service_brake_feedback,
          t.L_TRAIN, t.V_MAXTRAIN, t.L_antenna_front, t.M_rotating_nom, t.cant_deficiency_mm, t.other_categories,
          t.axle_load, t.loading_gauge, t.airtight, t.traction_systems, t.axles);

@@ -206,7 +206,8 @@ MergedSteps A_brake_safe(const TrainData& train, const NationalValues& values, B
 }
 
 DecelerationSteps A_brake_normal_service(const TrainData& train, Acceleration a0) {
-  const NormalServiceModels& m = train.normal_service;
+  const bool in_G = train.brake_position == BrakePosition::FreightG && train.normal_service_G;
+  const NormalServiceModels& m = in_G ? *train.normal_service_G : train.normal_service;
   if (a0 <= m.A_SB01) return m.A_brake_normal_service[0];
   if (a0 <= m.A_SB12) return m.A_brake_normal_service[1];
   return m.A_brake_normal_service[2];

@@ -303,6 +303,25 @@ TEST(NormalService, SelectedByTheServiceBrakeAtStandstill) {
   EXPECT_NEAR(A_brake_normal_service(t, {0.81}).steps[0].value.si, 0.5, 1e-12);
 }
 
+/// 3.13.2.2.3.1.9: one set for "Freight train in G", one for the other positions; a single set counts in all three.
+TEST(NormalService, TheSetOfTheBrakePosition) {
+  TrainData t;
+  for (auto& model : t.normal_service.A_brake_normal_service) ASSERT_TRUE(model.append(kmh(0), {0.6}));
+  const auto in_position = [&t](BrakePosition position) {
+    t.brake_position = position;
+    return A_brake_normal_service(t, {0.5}).steps[0].value.si;
+  };
+  EXPECT_EQ(in_position(BrakePosition::FreightG), 0.6);
+  t.normal_service_G.emplace();
+  t.normal_service_G->A_SB01 = {0.4};
+  t.normal_service_G->A_SB12 = {0.7};
+  for (std::size_t i = 0; i < 3; ++i)
+    ASSERT_TRUE(t.normal_service_G->A_brake_normal_service[i].append(kmh(0), {0.1 + 0.1 * static_cast<double>(i)}));
+  EXPECT_EQ(in_position(BrakePosition::FreightG), 0.2);  // by the limits of its own set
+  EXPECT_EQ(in_position(BrakePosition::FreightP), 0.6);
+  EXPECT_EQ(in_position(BrakePosition::PassengerP), 0.6);
+}
+
 TEST(ReducedAdhesion, WhichNationalValue) {
   TrainData t;
   NationalValues v;
@@ -389,6 +408,14 @@ TEST(Check, EveryFaultOfTrainData) {
             Fault::guidance_without_model);
   EXPECT_EQ(lambda([](TrainData& t) {
               for (auto& m : t.normal_service.A_brake_normal_service) EXPECT_TRUE(m.append(kmh(10), {0.5}));
+            }),
+            Fault::deceleration);
+  EXPECT_EQ(lambda([](TrainData& t) {
+              EXPECT_TRUE(t.normal_service_G.emplace().A_brake_normal_service[2].append(kmh(0), {0.5}));
+            }),
+            Fault::guidance_without_model);
+  EXPECT_EQ(lambda([](TrainData& t) {
+              for (auto& m : t.normal_service_G.emplace().A_brake_normal_service) EXPECT_TRUE(m.append(kmh(0), {-0.5}));
             }),
             Fault::deceleration);
   EXPECT_EQ(lambda([](TrainData& t) { t.magnetic_shoe = SpecialBrakeInterface::service_only; }),

@@ -96,6 +96,18 @@ bool allowed(SpecialBrakeInterface i, bool emergency_only, bool service_only) {
   return i != SpecialBrakeInterface::service_only || service_only;
 }
 
+/// Three models or none.
+Fault check_normal_service(const NormalServiceModels& set) {
+  bool any = false;
+  bool all = true;
+  for (const DecelerationSteps& model : set.A_brake_normal_service) {
+    if (!model.empty() && !valid_deceleration(model)) return Fault::deceleration;
+    any = any || !model.empty();
+    all = all && !model.empty();
+  }
+  return any && !all ? Fault::guidance_without_model : Fault::none;
+}
+
 bool valid(const MaxReducedAdhesion& a) { return a.no_maximum || within(a.A.si, 0.0, 3.15 + 1e-12); }
 
 }  // namespace
@@ -115,14 +127,9 @@ Fault check(const TrainData& t) {
   if (!valid_Kn(t.Kn_plus) || !valid_Kn(t.Kn_minus)) return Fault::Kn;
   for (const BuildUpTime& time : t.T_service)
     if (!valid_time(time)) return Fault::build_up_time;
-  bool any = false;
-  bool all = true;
-  for (const DecelerationSteps& model : t.normal_service.A_brake_normal_service) {
-    if (!model.empty() && !valid_deceleration(model)) return Fault::deceleration;
-    any = any || !model.empty();
-    all = all && !model.empty();
-  }
-  if (any && !all) return Fault::guidance_without_model;
+  if (const Fault fault = check_normal_service(t.normal_service); fault != Fault::none) return fault;
+  if (t.normal_service_G)
+    if (const Fault fault = check_normal_service(*t.normal_service_G); fault != Fault::none) return fault;
   return t.brake_model == BrakeModel::lambda ? check_lambda(t) : check_gamma(t);
 }
 

@@ -64,8 +64,8 @@ struct BuildUpTime {
   BrakeSet with = 0;
   friend constexpr bool operator==(const BuildUpTime&, const BuildUpTime&) = default;
 };
-/// A_brake_normal_service for the train's brake position: model 0, 1 or 2 by the full service
-/// deceleration at standstill a0: a0 <= A_SB01, a0 <= A_SB12, else (3.13.2.2.3.1.9).
+/// A set of A_brake_normal_service: model 0, 1 or 2 by the full service deceleration at standstill a0: a0 <= A_SB01,
+/// a0 <= A_SB12, else (3.13.2.2.3.1.10).
 struct NormalServiceModels {
   std::array<DecelerationSteps, 3> A_brake_normal_service{};  // an empty one: not given
   Acceleration A_SB01{};
@@ -102,7 +102,9 @@ struct TrainData {
   // than that of the conversion model (A.3.9); emergency times are not read.
   InplaceVector<BuildUpTime, 4> T_emergency;
   InplaceVector<BuildUpTime, 4> T_service;
+  // 3.13.2.2.3.1.9: the set of "Freight train in G", if there is one, and that of the other brake positions.
   NormalServiceModels normal_service;
+  std::optional<NormalServiceModels> normal_service_G;
   KnSteps Kn_plus;   // m/s2 per unit of gradient (Kn * grad / 1000), uphill
   KnSteps Kn_minus;  // the same, downhill
   // Special brakes.
@@ -134,6 +136,6 @@ struct TrainData {
   friend constexpr bool operator==(const TrainData&, const TrainData&) = default;
 };
 static_assert(std::is_trivially_copyable_v<TrainData>);
-static_assert(sizeof(TrainData) <= 3584);
+static_assert(sizeof(TrainData) <= 3712);
 
 }  // namespace evc::train
