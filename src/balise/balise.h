@@ -46,6 +46,8 @@ struct Cover {
   std::uint16_t NID_C = 0;
   Duration until{};        // since power-up
   std::uint8_t T_VBC = 0;  // the validity period as it was set, days
+  /// When the power went off, seconds since 1970 (UTC): the time without power is not yet counted in `until`.
+  std::optional<std::int64_t> power_off = {};
   friend constexpr bool operator==(const Cover&, const Cover&) = default;
 };
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "io/date_time.h"
 #include "io/rbc_contact.h"
 #include "io/train_file.h"
 #include "lang/translate.h"
@@ -42,14 +43,22 @@ auto read_optional(const JsonPlace& place, Read read) -> std::optional<decltype(
   return read(place);
 }
 
+std::int64_t read_date(const JsonPlace& place) {
+  const auto utc = read_utc(place.string());
+  if (!utc) place.fail("date and time as 2026-11-22T10:15:00Z, from 1970 on");
+  return *utc;
+}
+
 Retained::Cover read_cover(const JsonPlace& place) {
-  place.know_only({"NID_C", "NID_VBCMK", "left_s", "T_VBC"});
+  place.know_only({"NID_C", "NID_VBCMK", "left_s", "T_VBC", "utc"});
   const double left_s = place["left_s"].number(0.0, kLongestCover_s);
   // Files of before have no T_VBC: then the days that have begun.
   const auto given = place.find("T_VBC");
   const std::int64_t T_VBC = given ? given->integer(0, 255) : static_cast<std::int64_t>(std::ceil(left_s / 86400.0));
-  return {read_NID_C(place["NID_C"]), static_cast<std::uint8_t>(place["NID_VBCMK"].integer(0, 63)), Duration{left_s},
-          static_cast<std::uint8_t>(T_VBC)};
+  Retained::Cover cover{read_NID_C(place["NID_C"]), static_cast<std::uint8_t>(place["NID_VBCMK"].integer(0, 63)),
+                        Duration{left_s}, static_cast<std::uint8_t>(T_VBC)};
+  if (const auto utc = place.find("utc")) cover.utc = read_date(*utc);  // none where the unit had no clock
+  return cover;
 }
 
 Retained::StoredLevel read_level(const JsonPlace& place) {
@@ -134,7 +143,13 @@ Out areas_of(const Retained::Areas& areas) {
 }
 
 Out cover_json(const Retained::Cover& c) {
-  return {{"NID_C", c.NID_C}, {"NID_VBCMK", c.NID_VBCMK}, {"left_s", c.left.si}, {"T_VBC", c.T_VBC}};
+  Out out = {{"NID_C", c.NID_C}, {"NID_VBCMK", c.NID_VBCMK}, {"left_s", c.left.si}, {"T_VBC", c.T_VBC}};
+  if (c.utc) {
+    std::string text;
+    append_date_time(text, *c.utc);
+    out["utc"] = text + "Z";
+  }
+  return out;
 }
 
 Out level_json(const Retained::StoredLevel& l) { return {{"level", name(l.level)}, {"nid_ntc", l.nid_ntc}}; }

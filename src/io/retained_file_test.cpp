@@ -51,6 +51,22 @@ TEST(RetainedFile, ALevelOrderThatWaitsIsWrittenAndRead) {  // 4.10 of 4.0.0
   EXPECT_NE(empty.error().text().find("/level_order/levels: "), std::string::npos);
 }
 
+/// 3.15.9.5: the date of a cover is there where the unit had a clock.
+TEST(RetainedFile, ACoverMayHaveADate) {
+  kernel::Retained r;
+  EXPECT_TRUE(r.covers.push_back({1, 63, Duration{3600.0}, 1, 1'795'000'000}) &&
+              r.covers.push_back({1, 62, Duration{3600.0}, 1, std::nullopt}));
+  const std::string text = retained_text(r);
+  const Json covers = Json::parse(text)["vbc"];
+  EXPECT_EQ(covers[0]["utc"], "2026-11-18T11:06:40Z");
+  EXPECT_FALSE(covers[1].contains("utc"));
+  const auto read = read_retained(text, "kept.json");
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_TRUE(*read == r);
+  EXPECT_EQ(error_of(text, "2026-11-18T11:06:40Z", "yesterday"),
+            "kept.json: /vbc/0/utc: found \"yesterday\", expected date and time as 2026-11-22T10:15:00Z, from 1970 on");
+}
+
 TEST(RetainedFile, EveryKeyIsRequired) {
   const Json whole = Json::parse(retained_text(kernel::everything_retained()));
   for (const auto& [key, value] : whole.items()) {

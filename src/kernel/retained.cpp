@@ -1,4 +1,5 @@
 #include "kernel/cab.h"
+#include "kernel/clock.h"
 #include "kernel/evc.h"
 #include "kernel/here.h"
 #include "kernel/radio_address.h"
@@ -28,7 +29,7 @@ bool plausible(const Retained::LevelOrder& order) {
 
 bool plausible(const Retained& r, SrsVersion srs) {
   for (const Retained::Cover& cover : r.covers)
-    if (!between(cover.left.si, 0.0, Retained::kLongestCover.si)) return false;
+    if (!between(cover.left.si, 0.0, Retained::kLongestCover.si) || (cover.utc && !is_date(*cover.utc))) return false;
   for (const Retained::StoredLevel& level : r.level_table)
     if (!plausible(level)) return false;
   if (r.level_order && !plausible(*r.level_order)) return false;
@@ -145,7 +146,7 @@ Retained retained(const State& s) noexcept {
   r.generic_ls_marker = s.track.generic_ls_marker;
   for (const balise::Cover& cover : s.balise.covers)
     if (cover.until >= s.now)
-      (void)r.covers.push_back({cover.NID_C, cover.NID_VBCMK, cover.until - s.now, cover.T_VBC});
+      (void)r.covers.push_back({cover.NID_C, cover.NID_VBCMK, cover.until - s.now, cover.T_VBC, date_of(s, cover)});
   r.network = s.network.NID_MN;
   if (s.data.level_status != DataStatus::unknown) r.level = Retained::StoredLevel{s.level.level, s.level.nid_ntc};
   if (s.level_table)
@@ -170,7 +171,7 @@ bool power_up(State& s, Derived& derived, const Config& config, const Retained& 
   s.track.generic_ls_marker = r.generic_ls_marker;
   for (const Retained::Cover& cover : r.covers)
     (void)s.balise.covers.push_back(
-        {cover.NID_VBCMK, cover.NID_C, cover.left, cover.T_VBC});  // as many; from time 0 on
+        {cover.NID_VBCMK, cover.NID_C, cover.left, cover.T_VBC, cover.utc});  // as many; from time 0 on
   s.network.NID_MN = r.network;
   restore_to_be_revalidated(s, r);
   return true;

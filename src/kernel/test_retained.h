@@ -28,7 +28,7 @@ inline Retained everything_retained() {
   EXPECT_TRUE(r.national_areas_of_X_2.push_back(2) && r.national_areas_of_braking.push_back(3));
   r.operated_X = 1;
   r.generic_ls_marker = true;
-  EXPECT_TRUE(r.covers.push_back({1, 63, 86400_s}));
+  EXPECT_TRUE(r.covers.push_back({1, 63, 86400_s, 1, 1'795'000'000}));
   r.network = 0x26210F;
   r.level = Retained::StoredLevel{Level::NTC, 7};
   EXPECT_TRUE(r.level_table.push_back({Level::L2, 0}) && r.level_table.push_back({Level::NTC, 7}));

@@ -21,12 +21,15 @@ struct RetainedLevel {
 struct Retained {
   /// The countries or regions (NID_C) in which national values are applicable.
   using Areas = InplaceVector<std::uint16_t, 32>;
-  /// A virtual balise cover and the rest of its validity period (3.15.9.5). The time without power does not count.
+  /// A virtual balise cover and the rest of its validity period when the power went off (3.15.9.5).
   struct Cover {
     std::uint16_t NID_C = 0;
     std::uint8_t NID_VBCMK = 0;
     Duration left{};
     std::uint8_t T_VBC = 0;  ///< the validity period as it was set, days
+    /// When `left` was left, seconds since 1970 (UTC), where the unit knew it: against the first reading of the clock
+    /// after power-up it gives the time without power, which counts for the validity period.
+    std::optional<std::int64_t> utc = {};
     friend constexpr bool operator==(const Cover&, const Cover&) = default;
   };
   using StoredLevel = RetainedLevel;

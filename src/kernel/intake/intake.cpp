@@ -2,6 +2,7 @@
 
 #include "kernel/basis.h"
 #include "kernel/cab.h"
+#include "kernel/clock.h"
 #include "kernel/here.h"
 #include "kernel/intake/buffer.h"
 #include "kernel/intake/driver.h"
@@ -163,6 +164,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   out.safety_fault = acts(s, !can_go_on || !coherent || s.configuration_refused || in.safety_fault, out);
   follow_cab(s, in.train, log);
   if (can_go_on) update_position(s, in);
+  read_clock(s, in.utc);
   receive_consist_length(r);
   if (can_go_on && s.srs == SrsVersion::v4_0_0)
     position::accumulate(s.odometer_accuracy, {in.odometry.nominal, in.odometry.min, in.odometry.max});

@@ -1,5 +1,6 @@
 #include "kernel/report/data.h"
 
+#include "kernel/clock.h"
 #include "kernel/here.h"
 #include "modes/active_functions.h"
 
@@ -29,17 +30,11 @@ ShownSR shown_SR(const State& s, const track::Here& here) {
   return SR;
 }
 
-/// Years that have four digits.
-constexpr bool is_date(std::int64_t utc) { return utc >= 0 && utc < 253402300800; }
-
 }  // namespace
 
-void show_clock(State& s, const std::optional<std::int64_t>& reading, Outputs& out) {
-  if (reading && is_date(*reading)) s.clock = ClockReading{*reading, s.now};
-  if (!s.clock || !modes::active(modes::Function::date_time, s.mode)) return;
-  // The difference of two times in milliseconds may be a little below a whole second.
-  const Duration elapsed = s.now - s.clock->at + Duration{0.0005};
-  out.clock = {s.clock->utc + static_cast<std::int64_t>(elapsed.si), s.local_time_offset_min};
+void show_clock(const State& s, Outputs& out) {
+  const std::optional<std::int64_t> utc = date(s);
+  if (utc && modes::active(modes::Function::date_time, s.mode)) out.clock = {*utc, s.local_time_offset_min};
 }
 
 void show_data(const State& s, const track::Here& here, Outputs& out) {

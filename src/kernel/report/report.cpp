@@ -219,7 +219,7 @@ void report(State& s, const Inputs& in, const Received& received, const Decided&
   s.displayed.ato_active = in.automatic_operation.active;
   show_enabled(s, in, decided.here, out);
   show_data(s, decided.here, out);
-  show_clock(s, in.utc, out);
+  show_clock(s, out);
   show_by_mode(s, in.train.desk_open, supervised, out);
 }
 
