@@ -27,7 +27,8 @@ struct AcceptanceContext {
   std::optional<Level> announced;               // [1][2][6][7][9]: a transition to this level further on is ordered. An
                                                 // order in the same message that changes the level counts as one: the
                                                 // rest is then buffered and judged at the new level (4.8.1.3.1).
-  bool train_data_unacknowledged = false;       // [3]: sent to the RBC and not acknowledged
+  bool train_data_unacknowledged = false;       // [3]: sent to the RBC and not acknowledged; in 4.0.0 the first ones
+                                                // of the session, or others in what its routes depend on
   bool described_over_whole_ma = false;         // [4]: SSP and gradient, stored or in this message, cover the MA
   bool emergency_stop_pending = false;          // [5]
   bool revocable_and_inhibited = false;         // [8]: a revocable TSR while their inhibition is stored

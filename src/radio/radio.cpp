@@ -152,8 +152,15 @@ void send_ma_request(State& s, const Inputs& in, Outbox& out) {
   s.requested_at = in.now;
 }
 
+/// Of more than fit the oldest is forgotten: the RBC, which answers in order, has left it without an answer.
+void remember_sent(Partner& p, std::uint32_t T_TRAIN, const RouteData& data) {
+  p.train_data_stamp = T_TRAIN;
+  if (p.train_data_sent.full()) p.train_data_sent.erase(0);
+  (void)p.train_data_sent.push_back({T_TRAIN, data});  // there is room now
+}
+
 /// Every message has its own stamp, even two within one 10 ms tick (3.16.3.3.2).
-void stamp(State& s, Duration now, Outbox& out) {
+void stamp(State& s, const Inputs& in, Outbox& out) {
   // What answers an earlier request for shunting does not answer the new one, even if this does not leave.
   for (const Intent& intent : out.messages) {
     if (intent.NID_MESSAGE == message::request_for_shunting) s.shunting_request_stamp.reset();
@@ -161,13 +168,13 @@ void stamp(State& s, Duration now, Outbox& out) {
   }
   drop_unsent(s, out);
   for (Intent& intent : out.messages) {
-    std::uint32_t T_TRAIN = T_TRAIN_of(now);
+    std::uint32_t T_TRAIN = T_TRAIN_of(in.now);
     if (s.last_sent && !later(T_TRAIN, *s.last_sent)) T_TRAIN = *s.last_sent + 1;
     if (T_TRAIN == kUnknownTime) T_TRAIN = 0;
     intent.T_TRAIN = T_TRAIN;
     s.last_sent = T_TRAIN;
     if (intent.NID_MESSAGE == message::validated_train_data || intent.train_data)
-      s.partner(intent.to).train_data_stamp = T_TRAIN;
+      remember_sent(s.partner(intent.to), T_TRAIN, in.route_data);
     if (intent.NID_MESSAGE == message::request_for_shunting) s.shunting_request_stamp = T_TRAIN;
     if (intent.NID_MESSAGE == message::request_for_sm) s.manoeuvre_request_stamp = T_TRAIN;
     if (intent.NID_MESSAGE == message::safe_consist_length) s.partner(intent.to).consist_stamp = T_TRAIN;
@@ -256,6 +263,8 @@ bool receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out
   p.train_data_pending = true;
   p.train_data_acknowledged = p.train_data_validated_since = false;
   p.train_data_stamp.reset();
+  p.train_data_sent.clear();
+  p.route_data_acknowledged.reset();
   p.consist_stamp.reset();
   p.consist_due = false;
   if (from == Peer::other) return true;
@@ -265,11 +274,23 @@ bool receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out
 }
 
 void receive_train_data_ack(Partner& from, std::uint32_t T_TRAIN_REF) {
+  for (std::size_t i = 0; i < from.train_data_sent.size(); ++i) {
+    if (from.train_data_sent[i].T_TRAIN != T_TRAIN_REF) continue;
+    from.route_data_acknowledged = from.train_data_sent[i].data;
+    for (std::size_t answered = 0; answered <= i; ++answered) from.train_data_sent.erase(0);
+    break;
+  }
   // Only the acknowledgement of the latest message 129 counts (4.8.3 [3]).
   if (!from.train_data_stamp || *from.train_data_stamp != T_TRAIN_REF) return;
   from.train_data_stamp.reset();
   from.train_data_acknowledged = true;
   from.train_data_validated_since = from.train_data_validated_since && from.train_data_pending;
+}
+
+bool awaits_train_data_acknowledgement(const Partner& p) {
+  for (const SentTrainData& sent : p.train_data_sent)
+    if (!p.route_data_acknowledged || !(sent.data == *p.route_data_acknowledged)) return true;
+  return false;
 }
 
 void receive_consist_length_ack(Partner& from, std::uint32_t T_TRAIN_REF) {
@@ -306,7 +327,7 @@ Result supervise(State& s, const Inputs& in, Outbox& out) {
   }
   send_consist_length(s, in, out);
   send_ma_request(s, in, out);
-  stamp(s, in.now, out);
+  stamp(s, in, out);
   order_bearer(s, out);
   return result;
 }

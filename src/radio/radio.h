@@ -41,6 +41,26 @@ struct ContactRule {
 /// An RBC of a version above 2.2 knows supervised manoeuvres (6.6.5.3.7 of 4.0.0).
 constexpr bool knows_manoeuvres(const Session& session) { return session.M_VERSION > 0x22; }
 
+/// Of the train data what the routes and the track description of an RBC depend on (4.8.3 [3] of 4.0.0): train
+/// category, axle load, loading gauge and traction systems, in the codes of packet 11.
+struct RouteData {
+  std::uint8_t NC_CDTRAIN = 0;
+  std::uint16_t NC_TRAIN = 0;
+  std::uint8_t M_AXLELOADCAT = 0, M_LOADINGGAUGE = 0;
+  struct Traction {
+    std::uint8_t M_VOLTAGE = 0;
+    std::uint16_t NID_CTRACTION = 0;
+    friend constexpr bool operator==(const Traction&, const Traction&) = default;
+  };
+  InplaceVector<Traction, 8> tractions;
+  friend constexpr bool operator==(const RouteData&, const RouteData&) = default;
+};
+/// Train data that were sent and are not acknowledged.
+struct SentTrainData {
+  std::uint32_t T_TRAIN = 0;  ///< of their message
+  RouteData data;
+};
+
 /// An RBC and what is agreed with it in its session.
 struct Partner {
   Session session;
@@ -51,6 +71,9 @@ struct Partner {
   std::optional<std::uint32_t> train_data_stamp;  ///< of the 129 that is not acknowledged yet
   bool train_data_acknowledged = false;           ///< in this session
   bool train_data_validated_since = false;        ///< anew or others, since the acknowledgement
+  // 4.8.3 [3] of 4.0.0, in this session
+  InplaceVector<SentTrainData, 4> train_data_sent;   ///< since those acknowledged last, the oldest first
+  std::optional<RouteData> route_data_acknowledged;  ///< of any train data: the last value
   // 3.18.3.10 of 4.0.0
   bool consist_due = false;                    ///< 133 has to be sent
   std::optional<std::uint32_t> consist_stamp;  ///< of the 133 that is not acknowledged yet
@@ -126,6 +149,9 @@ bool receive_version(State& state, std::uint8_t M_VERSION, Duration now, Outbox&
 lang::SystemVersion common_version(const State& state, const Session& session);
 /// Message 8, after `receive`: `T_TRAIN_REF` names the 129 that it acknowledges.
 void receive_train_data_ack(Partner& from, std::uint32_t T_TRAIN_REF);
+/// 4.8.3 [3] of 4.0.0: train data were sent, and the RBC has acknowledged none in this session yet, or others in what
+/// its routes depend on than those it has acknowledged last.
+bool awaits_train_data_acknowledgement(const Partner& partner);
 /// Message 7 (4.0.0).
 void receive_consist_length_ack(Partner& from, std::uint32_t T_TRAIN_REF);
 /// An error of balises or radio, to be reported when a session is established (3.16.4).
@@ -170,6 +196,7 @@ struct Inputs {
   bool contact_supervised = false;  ///< level 2/3 and FS, LS or OS (4.5.2)
   bool standstill = false;
   bool train_data_valid = false;  ///< valid, and the engine leads: not in SL, NL
+  RouteData route_data{};         ///< of these train data
   ContactRule contact{};
   bool report_due = false;        ///< a position report (136), by parameters or event (3.6.5.1.4)
   bool errors_reported = true;    ///< the mode reports errors (4.5.2): the next one is in the report

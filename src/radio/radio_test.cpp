@@ -242,6 +242,99 @@ TEST(TrainData, SentAcknowledgedAndSentAgain) {  // 3.18.3.4
   EXPECT_FALSE(u.s.supervising.train_data_stamp.has_value());
 }
 
+/// 4.8.3 [3] of 4.0.0.
+class AwaitedTrainData : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    unit_.in.route_data = kOfNow;
+    unit_.order_session();
+    unit_.cycle();
+    unit_.cycle(RadioLink::connected);
+    unit_.fresh();
+    unit_.version();
+  }
+  bool waits() const { return awaits_train_data_acknowledgement(unit_.s.supervising); }
+  /// Sends train data; their stamp.
+  std::uint32_t send(const RouteData& data) {
+    unit_.in.route_data = data;
+    send_train_data(unit_.s);
+    unit_.fresh();
+    unit_.cycle();
+    return unit_.out.messages.back().T_TRAIN;
+  }
+  void acknowledge(std::uint32_t T_TRAIN) { receive_train_data_ack(unit_.s.supervising, T_TRAIN); }
+
+  static constexpr RouteData kOfNow{3, 0, 1, 2, {}};
+  static constexpr RouteData kHeavier{3, 0, 4, 2, {}};
+  Unit unit_;
+};
+
+TEST_F(AwaitedTrainData, UntilAnyAreAcknowledgedInTheSession) {
+  EXPECT_FALSE(waits()) << "none were sent yet";
+  const std::uint32_t first = send(kOfNow);
+  EXPECT_TRUE(waits());
+  acknowledge(first + 1);
+  EXPECT_TRUE(waits()) << "of nothing that was sent";
+  const std::uint32_t second = send(kOfNow);
+  acknowledge(first);
+  EXPECT_FALSE(waits()) << "the first ones are any, and the second do not differ";
+  acknowledge(second);
+  unit_.version();
+  EXPECT_FALSE(waits()) << "none were sent in the new session";
+  send(kOfNow);
+  EXPECT_TRUE(waits());
+}
+
+TEST_F(AwaitedTrainData, ThenThoseThatDifferFromTheLastAcknowledged) {
+  acknowledge(send(kOfNow));
+  const std::uint32_t same = send(kOfNow);
+  EXPECT_FALSE(waits());
+  const std::uint32_t heavier = send(kHeavier);
+  EXPECT_TRUE(waits());
+  acknowledge(same);
+  EXPECT_TRUE(waits());
+  const std::uint32_t back = send(kOfNow);
+  EXPECT_TRUE(waits()) << "the heavier ones still have no acknowledgement";
+  acknowledge(heavier);
+  EXPECT_TRUE(waits()) << "now the lighter ones differ";
+  acknowledge(back);
+  EXPECT_FALSE(waits());
+}
+
+TEST_F(AwaitedTrainData, AnAcknowledgementAnswersWhatWasSentBefore) {
+  acknowledge(send(kOfNow));
+  send(kHeavier);
+  acknowledge(send(kOfNow));
+  EXPECT_FALSE(waits());
+}
+
+TEST_F(AwaitedTrainData, EachValueCounts) {
+  acknowledge(send(kOfNow));
+  const auto waits_with = [this](auto change) {
+    RouteData other = kOfNow;
+    change(other);
+    const std::uint32_t stamp = send(other);
+    const bool differs = waits();
+    acknowledge(stamp);
+    acknowledge(send(kOfNow));
+    return differs && !waits();
+  };
+  EXPECT_TRUE(waits_with([](RouteData& d) { d.NC_CDTRAIN = 4; }));
+  EXPECT_TRUE(waits_with([](RouteData& d) { d.NC_TRAIN = 1; }));
+  EXPECT_TRUE(waits_with([](RouteData& d) { d.M_AXLELOADCAT = 2; }));
+  EXPECT_TRUE(waits_with([](RouteData& d) { d.M_LOADINGGAUGE = 3; }));
+  EXPECT_TRUE(waits_with([](RouteData& d) { EXPECT_TRUE(d.tractions.push_back({1, 0})); }));
+}
+
+/// However many are sent without an acknowledgement, that of the latest ends the waiting.
+TEST_F(AwaitedTrainData, MoreThanAreRemembered) {
+  acknowledge(send(kOfNow));
+  for (int i = 0; i < 6; ++i) send(kHeavier);
+  EXPECT_TRUE(waits());
+  acknowledge(send(kHeavier));
+  EXPECT_FALSE(waits());
+}
+
 TEST(MaRequest, RepeatedEvery60SecondsWithoutParameters) {  // 3.8.2, A.3.1
   Unit u;
   u.up();

@@ -59,7 +59,9 @@ modes::AcceptanceContext context_of(const Reception& r, const Information& infor
   c.rbc = information.sender;
   if (const auto to = ordered_level(r)) c.announced = to->level;
   const bool supervising = information.sender == SessionRole::supervising;
-  c.train_data_unacknowledged = (supervising ? s.radio.supervising : s.radio.other).train_data_stamp.has_value();
+  const radio::Partner& rbc = supervising ? s.radio.supervising : s.radio.other;
+  c.train_data_unacknowledged =
+      s.srs == SrsVersion::v4_0_0 ? radio::awaits_train_data_acknowledgement(rbc) : rbc.train_data_stamp.has_value();
   c.emergency_stop_pending = s.emergency_stops.any();
   c.exit_from_trip_recognised = r.out.exit_from_trip || procedures::train_trip::exit_recognised(s.train_trip);
   c.desk_open = r.in.train.desk_open;
