@@ -24,11 +24,14 @@ METHODS = ["test", "inspection", "analysis"]
 CLAUSES, SEEDS = "requirements/clauses.csv", "requirements/seeds.csv"
 CHAPTER_9, WITHOUT_ROW = "requirements/chapter_9.csv", "requirements/without_row.txt"
 HEADER, PAGES = "include/openevc/terms/clauses.inc", "docs/requirements"
+EDITION = "include/openevc/terms/edition_gap.h"
 # A place "train/train_data.h" is a file of the room train in one of these.
 ROOTS = ("src", "include/openevc")
 FILES_WITHOUT_NAME = ("docs/", "tools/", "bench/", "CAVEATS.md", "README.md")
 
 NUMBER = r"(?:A(?:\.\d+)+|[3-8](?:\.\d+)+)"
+# A row of the table in EDITION.
+GAP = re.compile(rf'\{{EditionGap::\w+, "({NUMBER})"_srs,')
 # Numbers of an issue look like clauses; they are none.
 ISSUES = re.compile(r"(?:3\.[0-69]|4\.0)\.0|[34]\.[0-9]")
 # Clauses of another document than SUBSET-026: the coding of telegrams (SUBSET-036), the display (ERA_ERTMS_015560).
@@ -316,10 +319,28 @@ def check_sources(tree, register):
 
 
 def check_caveats(root, rows):
-    """CAVEATS.md names each clause that is not done, or done in part."""
+    """CAVEATS.md names each clause that is not done, done in part, or done otherwise."""
     named = set(re.findall(NUMBER, (pathlib.Path(root) / "CAVEATS.md").read_text()))
     return [f"{CLAUSES}: {row['clause']} is {row['status']}, and CAVEATS.md does not name it" for row in rows
-            if row["status"] in ("part", "missing") and not named & set(numbers_of(row["clause"]))]
+            if row["status"] in ("part", "missing", "4.0.0 only", "deliberately otherwise") and not named & set(numbers_of(row["clause"]))]
+
+
+def lacks_in_4_0_0(row):
+    """A row that the event of 4.0.0 at power-up has to name: not done there, or otherwise than 4.0.0 says."""
+    return row["status"] == "4.0.0 only" or (row["status"] == "deliberately otherwise" and
+                                             "4.0.0" in row["clause"] + row["requirement"] + row["note"])
+
+
+def check_edition(root, rows):
+    """The events at power-up name what 4.0.0 has and the unit has not: neither more nor less than the register."""
+    path = pathlib.Path(root) / EDITION
+    named = GAP.findall(path.read_text(encoding="utf-8")) if path.exists() else []
+    lacking = {n for row in rows if lacks_in_4_0_0(row) for n in numbers_of(row["clause"])}
+    faults = [f"{EDITION}: {n} stands twice" for n in sorted(set(named), key=order) if named.count(n) > 1]
+    faults += [f"{EDITION}: {n} is not there, and {CLAUSES} says that 4.0.0 has it and the unit has not"
+               for n in sorted(lacking - set(named), key=order)]
+    return faults + [f"{EDITION}: {n} is there, and {CLAUSES} does not say that 4.0.0 has it and the unit has not"
+                     for n in sorted(set(named) - lacking, key=order)]
 
 
 def check_scenarios(tree, register):
@@ -451,6 +472,7 @@ def check(root):
     faults += check_sources(tree, register)
     faults += check_scenarios(tree, register)
     faults += check_caveats(root, clauses)
+    faults += check_edition(root, clauses)
     missing = without_row(root, register)
     limit = committed_without_row(root)
     if limit is None or len(missing) > limit:

@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "terms/edition_gap.h"
+
 namespace evc::texts {
 namespace {
 
@@ -113,7 +115,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::consist_lost, "safe consist length", Takes::nothing, "no longer available"},
     {What::odometer_out_of_tolerance, "odometer at BG", Takes::id, "out of tolerance: more than 5 m + 5 %"},
     {What::mode_not_of_level, "mode", Takes::nothing, "not possible in the level"},
-    {What::edition_incomplete, "SRS 4.0.0 without", Takes::nothing, "FRMCS"},
+    {What::edition_incomplete, "SRS 4.0.0 without", Takes::gap, nullptr},
     {What::received_without_power, "telegram or message", Takes::nothing, "not received: no power"},
 });
 // clang-format on
@@ -192,6 +194,8 @@ void add_numbers(ShortText& line, const port::Event& e, Takes takes) {
       return line.add(std::int64_t{e.id & 15});
     case Takes::fault:
       return word(name(static_cast<train::Fault>(e.id)));
+    case Takes::gap:
+      return word(kEditionGapRows[static_cast<std::size_t>(e.id)].name);
   }
 }
 

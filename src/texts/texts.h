@@ -25,7 +25,8 @@ enum class Takes : std::uint8_t {
   select,   ///< `id` is a Select
   entered,  ///< `id` is an Entered
   version,  ///< `id` is an M_VERSION
-  fault     ///< `id` is a train::Fault
+  fault,    ///< `id` is a train::Fault
+  gap       ///< `id` is an EditionGap
 };
 /// How an event is printed: "SUBJECT id from->to text [clause]".
 struct EventText {

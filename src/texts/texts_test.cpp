@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "terms/edition_gap.h"
+
 namespace evc::texts {
 namespace {
 
@@ -56,6 +58,7 @@ TEST(Texts, TheLineOfEveryEventIsWhole) {
     const std::size_t ids = takes == Takes::select    ? static_cast<std::size_t>(port::Select::count)
                             : takes == Takes::entered ? static_cast<std::size_t>(port::Entered::count)
                             : takes == Takes::fault   ? static_cast<std::size_t>(train::Fault::count)
+                            : takes == Takes::gap     ? static_cast<std::size_t>(EditionGap::count)
                                                       : 0;
     if (ids == 0) {
       EXPECT_LE(length(what, std::numeric_limits<std::int32_t>::min()), ShortText::kMost) << i;

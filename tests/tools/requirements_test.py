@@ -60,6 +60,30 @@ class Requirements(unittest.TestCase):
         self.write("CAVEATS.md", "Half of 3.6.4.2.5 is missing, and 4.6.31.\n")
         self.assertEqual(self.faults(), ["requirements/clauses.csv: 4.6.3 [12] is missing, and CAVEATS.md does not name it"])
 
+    def test_what_4_0_0_has_and_the_unit_has_not_is_told_at_power_up(self):
+        only = ('"3.5.9.1, 3.5.9.2",A choice,4.0.0 only,inspection,-,-,not there\n'
+                '3.6.9,A place,deliberately otherwise,inspection,-,-,as before 4.0.0\n'
+                '3.7.9,Another,deliberately otherwise,inspection,-,-,in each edition\n')
+        self.write("requirements/clauses.csv", HEAD + GOOD + only)
+        self.write("CAVEATS.md", "Half of 3.6.4.2.5 is missing, and 4.6.3, 3.5.9.1, 3.6.9; 3.7.9.\n")
+        row = '    {EditionGap::gap, "%s"_srs, "words"},\n'
+        told = "".join(row % n for n in ("3.5.9.1", "3.5.9.2", "3.6.9"))
+        self.write(check.EDITION, told)
+        self.assertEqual(check.write(self.root), 0)
+        self.assertEqual(self.faults(), [])
+        self.write(check.EDITION, told.replace("3.5.9.2", "3.7.9") + row % "3.6.9")
+        self.assertEqual(self.faults(), [
+            "include/openevc/terms/edition_gap.h: 3.6.9 stands twice",
+            "include/openevc/terms/edition_gap.h: 3.5.9.2 is not there, and requirements/clauses.csv says that 4.0.0 has it "
+            "and the unit has not",
+            "include/openevc/terms/edition_gap.h: 3.7.9 is there, and requirements/clauses.csv does not say that 4.0.0 has it "
+            "and the unit has not"])
+        self.write("CAVEATS.md", "Half of 3.6.4.2.5 is missing, and 4.6.3, 3.6.9.\n")
+        self.write(check.EDITION, told)
+        self.assertEqual(self.faults(), [
+            "requirements/clauses.csv: 3.5.9.1, 3.5.9.2 is 4.0.0 only, and CAVEATS.md does not name it",
+            "requirements/clauses.csv: 3.7.9 is deliberately otherwise, and CAVEATS.md does not name it"])
+
     def test_unknown_test(self):
         self.assertEqual(self.with_row("Balise.Counts", "Balise.Count"),
                          ["requirements/clauses.csv:2: 3.4.1.1: no test Balise.Count"])

@@ -18,6 +18,7 @@
 #include "kernel/stored.h"
 #include "modes/mode_properties.h"
 #include "radio/radio.h"
+#include "terms/edition_gap.h"
 #include "track/services.h"
 #include "track/withdraw.h"
 
@@ -136,6 +137,14 @@ void lose_without_power(const Reception& r) {
   for (std::size_t i = 0; i < lost; ++i) r.log.note({.what = What::received_without_power, .clause = "4.5.1.4"_srs});
 }
 
+/// At power-up, an event for each.
+void tell_edition(State& s, Log log) {
+  if (s.srs == SrsVersion::v4_0_0 && !s.edition_told)
+    for (std::size_t i = 0; i < kEditionGapClauses.size(); ++i)
+      log.note({.what = What::edition_incomplete, .id = static_cast<std::int32_t>(i), .clause = kEditionGapClauses[i]});
+  s.edition_told = true;
+}
+
 /// What the trackside sends. The places of telegrams may be no numbers if the odometer is not `sound`.
 void receive_trackside(Reception& r, bool sound) {
   if (!r.in.train.powered) return lose_without_power(r);
@@ -153,9 +162,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   Received out;
   Reception r{s, scratch, in, outbox, log, out, {}, {}, forwarded};
   // 4.4.5: without valid odometer data or configuration nothing can be supervised. The last position is kept.
-  if (s.srs == SrsVersion::v4_0_0 && !s.edition_told)
-    log.note({.what = What::edition_incomplete, .clause = "3.5.6.4"_srs});
-  s.edition_told = true;
+  tell_edition(s, log);
   const bool can_go_on = sound(s, in);
   if (!can_go_on) log.note({.what = What::odometry_not_sound, .clause = "4.4.5"_srs});
   // 4.4: no change leads to such a pair, as a transition waits in PT and RV (5.10). It is a fault of the machine.
