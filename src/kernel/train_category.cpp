@@ -26,4 +26,16 @@ track::TrainInterfaces interfaces_of(const train::TrainData& train) {
   return i;
 }
 
+radio::RouteData route_data(const train::TrainData& train) {
+  const track::TrainCategory category = category_of(train);
+  radio::RouteData r;
+  r.NC_CDTRAIN = category.NC_CDTRAIN;
+  r.NC_TRAIN = category.NC_TRAIN;
+  r.M_AXLELOADCAT = category.M_AXLELOADCAT;
+  r.M_LOADINGGAUGE = static_cast<std::uint8_t>(train.loading_gauge);
+  for (const train::TractionSystem& t : train.traction_systems)
+    (void)r.tractions.push_back({t.M_VOLTAGE, t.NID_CTRACTION});  // both hold eight
+  return r;
+}
+
 }  // namespace evc::kernel

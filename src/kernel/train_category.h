@@ -1,4 +1,5 @@
 #pragma once
+#include "radio/radio.h"
 #include "track/conditions.h"
 #include "track/speed_restrictions.h"
 #include "train/train_data.h"
@@ -9,5 +10,7 @@ namespace evc::kernel {
 track::TrainCategory category_of(const train::TrainData& train);
 /// The train as route suitability needs it (3.12.2).
 track::TrainInterfaces interfaces_of(const train::TrainData& train);
+/// What the routes of an RBC depend on (4.8.3 [3] of 4.0.0).
+radio::RouteData route_data(const train::TrainData& train);
 
 }  // namespace evc::kernel

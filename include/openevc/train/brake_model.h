@@ -111,8 +111,8 @@ DecelerationSteps A_brake_emergency(const TrainData& train, BrakeSet in_use);
 DecelerationSteps A_brake_service(const TrainData& train, BrakeSet in_use);
 /// A_brake_safe(V) of 3.13.6.2.1.4: with Kdry_rst, Kwet_rst, M_NVEBCL, M_NVAVADH (gamma) or Kv_int, Kr_int.
 MergedSteps A_brake_safe(const TrainData& train, const NationalValues& values, BrakeSet in_use);
-/// A_brake_normal_service(V) of the set of the brake position, selected by A_brake_service(V = 0) (3.13.2.2.3.1.9, .10);
-/// empty when not given.
+/// A_brake_normal_service(V) of the set of the brake position, selected by A_brake_service(V = 0) (3.13.2.2.3.1.9,
+/// .10); empty when not given.
 DecelerationSteps A_brake_normal_service(const TrainData& train, Acceleration A_brake_service_0);
 /// Kv_int(V) for this train (3.13.6.2.1.8).
 NationalValues::KvFreight Kv_int(const TrainData& train, const NationalValues& values);

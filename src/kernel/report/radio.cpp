@@ -41,15 +41,6 @@ radio::TrainDataReport train_report(const State& s, const train::TrainData& t, c
   return r;
 }
 
-radio::RouteData route_data(const train::TrainData& t) {
-  const track::TrainCategory category = category_of(t);
-  radio::RouteData r{
-      category.NC_CDTRAIN, category.NC_TRAIN, category.M_AXLELOADCAT, static_cast<std::uint8_t>(t.loading_gauge), {}};
-  for (const train::TractionSystem& system : t.traction_systems)
-    (void)r.tractions.push_back({system.M_VOLTAGE, system.NID_CTRACTION});  // both hold eight
-  return r;
-}
-
 /// 6.6.3.4.5 [1b], 6.6.5.3.7 of 4.0.0: level 2 is reported as it was ordered, if the table has an order for level 3
 /// before one for level 2.
 std::uint8_t M_LEVEL_of(const State& s) {
@@ -179,6 +170,12 @@ std::uint8_t request_reasons(const State& s, const Received& received, const Dec
   return reasons;
 }
 
+/// The train data that are sent, and whether they are.
+void take_train_data(const State& s, radio::Inputs& in) {
+  in.train_data_valid = valid(s.data.train_data_status) && s.mode != Mode::SL && s.mode != Mode::NL;
+  in.route_data = route_data(s.train);
+}
+
 /// The report of the bearer in this cycle.
 void take_link(State& s, const Inputs& inputs, radio::Inputs& in) {
   const bool of_infill_unit = inputs.radio_link_of_infill_unit;
@@ -226,8 +223,7 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   in.level_2_or_3 = level_2_or_3(s.level.level);
   in.contact_supervised = in.level_2_or_3 && modes::active(Function::safe_radio_supervision, s.mode);
   in.standstill = here.standstill;
-  in.train_data_valid = valid(s.data.train_data_status) && s.mode != Mode::SL && s.mode != Mode::NL;
-  in.route_data = route_data(s.train);
+  take_train_data(s, in);
   in.contact.T_NVCONTACT = s.national_values.T_NVCONTACT;
   in.contact.M_NVCONTACT = s.national_values.M_NVCONTACT;
   const position::IntegrityEvents integrity = supervise_integrity(s, received);
