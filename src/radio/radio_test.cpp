@@ -247,11 +247,21 @@ class AwaitedTrainData : public ::testing::Test {
  protected:
   void SetUp() override {
     unit_.in.route_data = kOfNow;
+    begin_session();
+  }
+  void begin_session() {
     unit_.order_session();
     unit_.cycle();
     unit_.cycle(RadioLink::connected);
     unit_.fresh();
     unit_.version();
+  }
+  void end_session() {
+    unit_.order_session(kRbc, false);
+    unit_.cycle();
+    ASSERT_EQ(unit_.message(39), Rejected::no);
+    unit_.cycle(RadioLink::lost);
+    unit_.fresh();
   }
   bool waits() const { return awaits_train_data_acknowledgement(unit_.s.supervising); }
   /// Sends train data; their stamp.
@@ -279,7 +289,8 @@ TEST_F(AwaitedTrainData, UntilAnyAreAcknowledgedInTheSession) {
   acknowledge(first);
   EXPECT_FALSE(waits()) << "the first ones are any, and the second do not differ";
   acknowledge(second);
-  unit_.version();
+  end_session();
+  begin_session();
   EXPECT_FALSE(waits()) << "none were sent in the new session";
   send(kOfNow);
   EXPECT_TRUE(waits());
