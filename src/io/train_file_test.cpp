@@ -97,10 +97,12 @@ TEST(TrainFile, NormalServiceOfTheBrakePositionG) {
   EXPECT_EQ(train->data.normal_service_G->A_SB12, 0.7_m_s2);
   EXPECT_EQ(train->data.normal_service_G->A_brake_normal_service[1].size(), 2u);
   EXPECT_EQ(train_error(R"({"schema":"etcs-train/1","A_brake_normal_service_G":[[0,11]]})"),
-            "t.json: /A_brake_normal_service_G/0/1: found 11, expected 0 to 10 (SUBSET-026 3.13.2.2.3.1.9)");
+            "t.json: /A_brake_normal_service_G/0/1: found 11, expected a number from 0.0 to 10.0 (SUBSET-026 "
+            "3.13.2.2.3.1.9)");
   EXPECT_EQ(
       train_error(R"({"schema":"etcs-train/1","A_brake_normal_service_G":{"A_SB01":0.4,"A_SB12":0.3,"models":[]}})"),
-      "t.json: /A_brake_normal_service_G/A_SB12: found 0.3, expected 0.4 to 10 (SUBSET-026 3.13.2.2.3.1.9)");
+      "t.json: /A_brake_normal_service_G/A_SB12: found 0.3, expected a number from 0.4 to 10.0 (SUBSET-026 "
+      "3.13.2.2.3.1.9)");
 }
 
 TEST(TrainFile, SpecialBrakes) {
