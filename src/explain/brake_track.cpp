@@ -6,6 +6,7 @@
 #include "explain/brake.h"
 #include "explain/words.h"
 #include "io/diagnostic.h"
+#include "kernel/basis.h"
 #include "kernel/here.h"
 #include "position/position.h"
 #include "procedures/mode_profile.h"
@@ -281,7 +282,7 @@ Steps unacknowledged_steps(Cause cause, const Journal& journal, const Moment& m)
   if (!level) {
     if (const Note* note = journal.last(What::packet_accepted, m.t_ms, packet::mode_profile)) {
       steps.push_back(step_of(*note));
-      if (const auto area = track::area_due(m.after.track, kernel::here(m.after)); area && area->mode == m.after.mode)
+      if (const auto area = kernel::area_of_mode(m.after, kernel::here(m.after)))
         steps.back().text += fmt::format(": an area of {} from {}", name(area->mode), place_words(m.after, area->from));
       else if (m.after.mode == Mode::SH)  // its area is deleted (4.10)
         steps.back().text += ": an area of SH";

@@ -4,6 +4,7 @@
 
 #include "explain/origins.h"
 #include "explain/words.h"
+#include "kernel/basis.h"
 #include "kernel/curves.h"
 #include "kernel/here.h"
 #include "kernel/train_category.h"
@@ -126,8 +127,8 @@ const char* national_speed(Mode mode) {
 /// Whether the speed is that of an area of packet 80, not the national one.
 bool of_area(const kernel::State& s) {
   if (s.mode == Mode::SH) return s.V_SH != track::kNoSpeed;  // the area itself is deleted (4.10)
-  const auto area = track::area_due(s.track, kernel::here(s));
-  return area && area->mode == s.mode && area->V_MAMODE != track::kNoSpeed;
+  const auto area = kernel::area_of_mode(s, kernel::here(s));
+  return area && area->V_MAMODE != track::kNoSpeed;
 }
 
 /// The speed of the mode: of its area, of reversing, of the authorisation for SM, entered by the driver, or the
@@ -136,7 +137,7 @@ Restriction mode_limit(const Journal& journal, const Moment& m, Speed V) {
   const Mode mode = m.after.mode;
   Restriction r{MrspSource::mode, V, fmt::format("{} of mode {}", kmh_words(V), name(mode)), {}};
   if (of_area(m.after)) {
-    const auto area = track::area_due(m.after.track, kernel::here(m.after));
+    const auto area = kernel::area_of_mode(m.after, kernel::here(m.after));
     const Note* note = area ? journal.note(journal.brought().areas.of(*area)) : nullptr;
     r.from = note != nullptr ? step_of(*note) : packet_step(journal, m, packet::mode_profile);
   }

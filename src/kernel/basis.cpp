@@ -9,9 +9,9 @@ namespace {
 /// The speed limit of the mode (3.11.7); absent: the mode has none.
 std::optional<Speed> mode_speed(const State& s, const track::Here& here) {
   const train::NationalValues& nv = s.national_values;
-  const auto of_area = [&](Mode mode, Speed national) {
-    const auto area = track::area_due(s.track, here);
-    return area && area->mode == mode && area->V_MAMODE != track::kNoSpeed ? track::speed_of(area->V_MAMODE) : national;
+  const auto of_area = [&](Speed national) {
+    const auto area = area_of_mode(s, here);
+    return area && area->V_MAMODE != track::kNoSpeed ? track::speed_of(area->V_MAMODE) : national;
   };
   switch (modes::properties(s.mode).speed_limit) {
     case modes::SpeedLimit::V_NVSHUNT:
@@ -19,9 +19,9 @@ std::optional<Speed> mode_speed(const State& s, const track::Here& here) {
     case modes::SpeedLimit::V_NVSTFF:
       return s.staff_responsible.V ? *s.staff_responsible.V : nv.V_NVSTFF;
     case modes::SpeedLimit::V_NVONSIGHT:
-      return of_area(Mode::OS, nv.V_NVONSIGHT);
+      return of_area(nv.V_NVONSIGHT);
     case modes::SpeedLimit::V_NVLIMSUPERV:
-      return of_area(Mode::LS, nv.V_NVLIMSUPERV);
+      return of_area(nv.V_NVLIMSUPERV);
     case modes::SpeedLimit::V_NVUNFIT:
       return nv.V_NVUNFIT;
     case modes::SpeedLimit::V_REVERSE:
@@ -62,6 +62,24 @@ std::uint32_t inaccuracy(const State& s, const track::Here& here) {
 }
 
 }  // namespace
+
+std::optional<track::ModeArea> area_of_mode(const State& s, const track::Here& here) {
+  const train::NationalValues& nv = s.national_values;
+  const Speed national = s.mode == Mode::OS ? nv.V_NVONSIGHT : nv.V_NVLIMSUPERV;
+  const auto speed = [national](const track::ModeArea& area) {
+    return area.V_MAMODE == track::kNoSpeed ? national : track::speed_of(area.V_MAMODE);
+  };
+  std::optional<track::ModeArea> under, ahead;
+  for (const track::ModeArea& area : s.track.mode_profile) {
+    if (area.mode != s.mode || (area.to && here.min_safe_front > *area.to)) continue;
+    if (here.max_safe_front >= area.from) {
+      if (!under || speed(area) < speed(*under)) under = area;
+    } else if (area.accepted && (!ahead || area.from < ahead->from)) {
+      ahead = area;
+    }
+  }
+  return under ? under : ahead;
+}
 
 bool memorises_faults(const State& s) {
   return s.mode == Mode::SL || s.mode == Mode::NL || (s.mode == Mode::PS && s.srs == SrsVersion::v4_0_0);

@@ -8,6 +8,11 @@ namespace evc::kernel {
 
 /// Whether speed is supervised in the mode (4.5.2); in SN the national system does this.
 bool supervises_speed(Mode mode);
+/// The area of the mode profile that gives the speed of LS and OS (3.11.7.1.1; that of SH is deleted at its entry,
+/// 4.10): max safe front end beyond its start and min safe front end not beyond its end, of several the slowest. With
+/// none of them the nearest one that was accepted: an acknowledgement counts for each area whose window has begun, the
+/// speed of a farther one comes later. Absent: none.
+std::optional<track::ModeArea> area_of_mode(const State& state, const track::Here& here);
 /// The supervision of speed in the current mode.
 bool supervises(const State& state, modes::Supervision kind);
 

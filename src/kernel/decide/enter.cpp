@@ -14,8 +14,9 @@ bool antenna_in_metal(const State& s, const track::Here& here) {
 /// 3.11.7.1.1: of the area whose order or acknowledgement leads to SH ([50], [51], [61]); 4.10 deletes it then.
 track::SpeedCode speed_of_area(const State& s, int number, const track::Here& here) {
   if (number != 50 && number != 51 && number != 61) return track::kNoSpeed;
-  const auto area = track::area_due(s.track, here);
-  return area && area->mode == Mode::SH ? area->V_MAMODE : track::kNoSpeed;
+  for (const track::ModeArea& area : s.track.mode_profile)
+    if (area.mode == Mode::SH && (area.accepted || here.max_safe_front >= area.from)) return area.V_MAMODE;
+  return track::kNoSpeed;
 }
 
 }  // namespace
