@@ -93,13 +93,15 @@ bool run_handover(State& s, const track::Here& here, radio::Outbox& outbox, Log 
   in.ordered = ordered;
   const radio::Rbc accepting = accepting_rbc(*h.order);
   const radio::Peer peer = handing_over(s);
+  const bool in_rear = ordered || h.procedure.step == Step::announced;
   const procedures::rbc_handover::Result r = procedures::rbc_handover::step(h.procedure, in);
   if (ordered) log.note({.what = What::rbc_handover_ordered, .id = accepting.NID_RBC, .clause = "3.15.1.3.1"_srs});
   if (r.change_contact) {
     s.radio.contact = accepting;
     s.contact_status = DataStatus::valid;
-    s.track.revocable_tsr_inhibited = false;  // 3.11.5.14
   }
+  // 3.11.5.14: by the max safe front end; what the accepting RBC orders for the way beyond the border stays.
+  if (in_rear && in.max_safe_front) s.track.revocable_tsr_inhibited = false;
   radio::Session& session = s.radio.partner(peer).session;
   const radio::Addressed to(outbox, peer);
   if (r.rear_passed_now) radio::abort_set_up(session, s.now, outbox);
