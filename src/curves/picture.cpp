@@ -10,6 +10,8 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kStep_kmh = 0.5;
 constexpr std::size_t kPlaces = 900;
+constexpr double kBeside_m = 1e-3;  // from a place where a line ends to the next point
+constexpr double kRounding = 1e-9;  // km/h
 
 /// The limits of one target by speed, for drawing: places in metres.
 struct LimitTable {
@@ -24,6 +26,19 @@ struct LimitTable {
     const double a = *(beyond - 1);
     const double b = *beyond;
     return (static_cast<double>(beyond - places.begin() - 1) + (a - x) / (a - b)) * kStep_kmh;
+  }
+  /// Where `speed_at` is `kmh`; none above the speeds of the table.
+  static std::optional<double> place_at(const std::vector<double>& places, double kmh) {
+    const double at = kmh / kStep_kmh;
+    const auto below = static_cast<std::size_t>(at);
+    if (below + 1 >= places.size()) return std::nullopt;
+    return places[below] + (at - static_cast<double>(below)) * (places[below + 1] - places[below]);
+  }
+
+  bool of_EOA() const { return target->kind == sdm::TargetKind::EOA_SvL; }
+  /// Where a limit ends: the limits of an SBD at the EOA, those of an EBD at its target.
+  double end_of(std::vector<double> LimitTable::*places) const {
+    return m(of_EOA() && places != &LimitTable::EBI ? target->d_EOA : target->d_target);
   }
 };
 
@@ -61,87 +76,175 @@ const LimitKind kLimits[] = {
     {"I", "I  indication", &LimitTable::I, nullptr, {colour::white, 1.4, "7 4"}, false},
 };
 
-/// Places of a grid, with both sides of every step.
-std::vector<double> places_of(const Approached& a, double from, double to) {
+double margin_of(const LimitKind& kind, Speed V, const sdm::Derived& d) {
+  return kind.margin != nullptr ? kind.margin(V, d.fixed).si * kKmh : 0.0;
+}
+/// The limit above the MRSP (3.13.9.2) at a place, km/h; of the Indication, the MRSP.
+double ceiling_of(const LimitKind& kind, double x, const sdm::Derived& d) {
+  const Speed V = sdm::ceiling_at(d, Place{{x}});
+  return V.si * kKmh + margin_of(kind, V, d);
+}
+
+/// The braking curve of a target, from where it is drawn.
+struct DrawnCurve {
+  sdm::CurveView view;
+  double start;
+};
+
+/// One kind of braking curve: its names, and those of all targets that have one.
+struct CurveKind {
+  const char* key;
+  const char* name;
+  const char* colour;
+  std::vector<DrawnCurve> curves;
+};
+
+/// Of several targets, none has a curve that begins in mid-air: each is drawn from where it is at last below the
+/// ceiling.
+double start_of(const sdm::Derived& d, const sdm::CurveView& view) {
+  double start = -std::numeric_limits<double>::infinity();
+  if (d.targets.size() < 2) return start;
+  // Of each stretch with the same ceiling: where the curve has it, or the end of a stretch with a curve above it.
+  std::vector<double> steps;
+  for (const auto& step : d.mrsp.steps) steps.push_back(m(step.from));
+  for (const sdm::Target& t : d.targets)
+    if (t.kind == sdm::TargetKind::LOA) steps.push_back(m(t.d_target));
+  std::sort(steps.begin(), steps.end());
+  for (std::size_t i = 0; i < steps.size() && steps[i] <= m(view.foot()); ++i) {
+    const Speed M = sdm::ceiling_at(d, Place{{steps[i]}});
+    const double above_until = m(view.place_at(M + sdm::dV_ebi(M, d.fixed)));
+    if (above_until <= steps[i]) continue;
+    start = i + 1 < steps.size() ? std::min(above_until, steps[i + 1]) : above_until;
+  }
+  return start;
+}
+
+std::vector<CurveKind> curve_kinds(const sdm::Derived& d) {
+  const auto kind = [&](const char* key, const char* name, const char* colour, auto ref_of) {
+    CurveKind all{key, name, colour, {}};
+    for (const sdm::Target& t : d.targets)
+      if (const sdm::CurveView view = d.view(ref_of(t)); view.exists()) all.curves.push_back({view, start_of(d, view)});
+    return all;
+  };
+  return {kind("EBD", "EBD  emergency deceleration", colour::EBD, [](const sdm::Target& t) { return t.EBD; }),
+          kind("SBD", "SBD  service deceleration", colour::SBD, [](const sdm::Target& t) { return t.SBD; }),
+          kind("GUI", "GUI  guidance", colour::GUI, [](const sdm::Target& t) { return t.GUI; })};
+}
+
+/// The highest speed at which curves are drawn, outside of the frame.
+double highest_drawn(const Picture& p) { return p.top_kmh * 1.2; }
+
+/// Places of a grid, and those where a line begins, ends, has a step or leaves the ceiling, so that it has a point
+/// exactly there.
+std::vector<double> places_of(const Picture& p, const Approached& a, const std::vector<CurveKind>& curves,
+                              const std::vector<LimitTable>& tables) {
+  const sdm::Derived& d = a.derived();
   std::vector<double> x;
   for (std::size_t i = 0; i <= kPlaces; ++i)
-    x.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(kPlaces));
-  const auto both_sides = [&](Place place) {
-    if (m(place) > from && m(place) < to) x.insert(x.end(), {m(place) - 1e-3, m(place)});
+    x.push_back(p.from_m + (p.to_m - p.from_m) * static_cast<double>(i) / static_cast<double>(kPlaces));
+  const auto point = [&](double place) {
+    if (place > p.from_m && place < p.to_m) x.push_back(place);
   };
-  for (const auto& step : a.input().inputs.mrsp.steps) both_sides(step.from);
-  for (const sdm::Target& t : a.derived().targets) both_sides(t.d_target);
+  // One line may end there and another one begin, with a gap between them.
+  const auto border = [&](double place) {
+    for (const double beside : {-1.0, 0.0, 1.0, 2.0}) point(place + beside * kBeside_m);
+  };
+  for (const auto& step : d.mrsp.steps) border(m(step.from));
+  if (p.start_of_RSM_m) border(*p.start_of_RSM_m);
+  for (const CurveKind& kind : curves)
+    for (const DrawnCurve& c : kind.curves) {
+      border(m(c.view.foot()));
+      border(c.start);
+      border(m(c.view.place_at(Speed{highest_drawn(p) / kKmh})));
+    }
+  std::vector<Speed> ceilings;
+  for (const auto& step : d.mrsp.steps) ceilings.push_back(step.value);
+  for (const LimitTable& t : tables) {
+    if (t.target->kind == sdm::TargetKind::LOA) ceilings.push_back(t.target->V_target);
+    for (const LimitKind& kind : kLimits) border(t.end_of(kind.places));
+  }
+  std::sort(ceilings.begin(), ceilings.end());
+  ceilings.erase(std::unique(ceilings.begin(), ceilings.end()), ceilings.end());
+  for (const LimitTable& t : tables)
+    for (const LimitKind& kind : kLimits)
+      for (const Speed V : ceilings) {
+        const double kmh = V.si * kKmh + margin_of(kind, V, d);
+        const auto place = LimitTable::place_at(t.*kind.places, kmh);
+        if (place && std::abs(ceiling_of(kind, *place, d) - kmh) < kRounding) point(*place);
+      }
   std::sort(x.begin(), x.end());
+  x.erase(std::unique(x.begin(), x.end()), x.end());
   return x;
 }
 
-void add_braking_curves(Picture& p, const Approached& a) {
-  const sdm::Derived& d = a.derived();
-  // Of several targets, none has a curve that begins in mid-air: each is drawn from where it is at last below the
-  // ceiling.
-  const auto start_of = [&](const sdm::CurveView& view) {
-    double start = -std::numeric_limits<double>::infinity();
-    if (d.targets.size() < 2) return start;
+/// The lowest of several lines, place by place. A line that follows on another one without crossing it is a new one: a
+/// place without a value is between them.
+class Lowest {
+ public:
+  /// `values` of all lines at the next place; not a number where a line is not.
+  double next(std::vector<double> values) {
+    std::size_t lowest = kNone;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!std::isnan(values[i]) && (lowest == kNone || values[i] < values[lowest])) lowest = i;
+    const bool follows = lowest != kNone && before_ != kNone && lowest != before_;
+    const bool crosses = follows && !std::isnan(values[before_]) && !std::isnan(last_[lowest]);
+    const double value = lowest == kNone || (follows && !crosses) ? kNaN : values[lowest];
+    before_ = lowest;
+    last_ = std::move(values);
+    return value;
+  }
+
+ private:
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  std::size_t before_ = kNone;
+  std::vector<double> last_;
+};
+
+void add_braking_curves(Picture& p, const std::vector<CurveKind>& kinds) {
+  for (const CurveKind& kind : kinds) {
+    if (kind.curves.empty()) continue;
+    PictureCurve c{kind.key, kind.name, {kind.colour, 1.6, ""}, {}};
+    Lowest lowest;
     for (const double x : p.x_m) {
-      const Speed M = sdm::ceiling_at(d, Place{{x}});
-      if (x <= m(view.foot()) && view.speed_at(Place{{x}}) > M + sdm::dV_ebi(M, d.fixed)) start = x;
-    }
-    return start;
-  };
-  const auto curve = [&](const char* key, const char* name, const char* colour, auto ref_of) {
-    PictureCurve c{key, name, {colour, 1.6, ""}, {}};
-    struct Drawn {
-      sdm::CurveView view;
-      double start;
-    };
-    std::vector<Drawn> all;
-    for (const sdm::Target& t : d.targets)
-      if (const sdm::CurveView view = d.view(ref_of(t)); view.exists()) all.push_back({view, start_of(view)});
-    if (all.empty()) return;
-    std::size_t before = all.size();
-    for (const double x : p.x_m) {
-      double lowest = kNaN;
-      std::size_t governing = all.size();
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        if (x > m(all[i].view.foot()) || !(x > all[i].start)) continue;
-        const double v = all[i].view.speed_at(Place{{x}}).si * kKmh;
-        if (v >= lowest) continue;
-        lowest = v;
-        governing = i;
+      std::vector<double> values;
+      for (const DrawnCurve& curve : kind.curves) {
+        const bool here = x >= curve.start && x <= m(curve.view.foot());
+        const double v = here ? curve.view.speed_at(Place{{x}}).si * kKmh : kNaN;
+        values.push_back(v > highest_drawn(p) + kRounding ? kNaN : v);
       }
-      // Where the curve of another target becomes the lowest, a new line begins.
-      if (before != all.size() && governing != before) lowest = kNaN;
-      before = governing;
-      c.v.push_back(lowest > p.top_kmh * 1.2 ? kNaN : lowest);
+      c.v.push_back(lowest.next(std::move(values)));
     }
     p.curves.push_back(std::move(c));
-  };
-  curve("EBD", "EBD  emergency deceleration", colour::EBD, [](const sdm::Target& t) { return t.EBD; });
-  curve("SBD", "SBD  service deceleration", colour::SBD, [](const sdm::Target& t) { return t.SBD; });
-  curve("GUI", "GUI  guidance", colour::GUI, [](const sdm::Target& t) { return t.GUI; });
+  }
 }
 
 void add_limits(Picture& p, const Approached& a, const std::vector<LimitTable>& tables) {
   const sdm::Derived& d = a.derived();
   for (const LimitKind& kind : kLimits) {
     PictureCurve c{kind.key, kind.name, kind.stroke, {}};
-    const auto margin = [&](Speed V) { return kind.margin != nullptr ? kind.margin(V, d.fixed).si * kKmh : 0.0; };
+    Lowest of_targets;
     for (const double x : p.x_m) {
-      const Speed V_MRSP = sdm::ceiling_at(d, Place{{x}});
-      const double ceiling = V_MRSP.si * kKmh + margin(V_MRSP);
-      double lowest = kind.ceiling ? ceiling : kNaN;
+      const double ceiling = ceiling_of(kind, x, d);
+      bool beyond_stop = false;
+      std::vector<double> values;
       for (const LimitTable& t : tables) {
-        // The limits of an SBD end at the EOA, those of an EBD at its target.
-        const bool EOA = t.target->kind == sdm::TargetKind::EOA_SvL && kind.places != &LimitTable::EBI;
-        const double end = m(EOA ? t.target->d_EOA : t.target->d_target);
-        if (x > end) {
-          if (t.target->kind == sdm::TargetKind::EOA_SvL || t.target->kind == sdm::TargetKind::SR_end) lowest = kNaN;
+        values.push_back(kNaN);
+        if (x > t.end_of(kind.places)) {
+          beyond_stop = beyond_stop || t.of_EOA() || t.target->kind == sdm::TargetKind::SR_end;
           continue;
         }
-        const double floor = t.target->zero ? 0.0 : t.target->V_target.si * kKmh + margin(t.target->V_target);
+        const double floor =
+            t.target->zero ? 0.0 : t.target->V_target.si * kKmh + margin_of(kind, t.target->V_target, d);
         const double v = std::max(LimitTable::speed_at(t.*kind.places, x), floor);
-        if (v <= ceiling && !(v >= lowest)) lowest = v;
+        if (v <= ceiling + kRounding) values.back() = std::min(v, ceiling);
       }
+      double lowest = of_targets.next(values);
+      if (kind.ceiling) {  // it joins the lines of all targets
+        lowest = ceiling;
+        for (const double v : values)
+          if (v < lowest) lowest = v;
+      }
+      if (beyond_stop) lowest = kNaN;
       // 3.13.9.4.6: from its start on, release speed monitoring has its own EBI, and no SBI, W and I.
       const bool replaced = p.start_of_RSM_m && x > *p.start_of_RSM_m && kind.places != &LimitTable::P;
       c.v.push_back(replaced ? kNaN : lowest);
@@ -256,13 +359,14 @@ Picture picture_of(const Approached& a) {
   // A profile that begins at 0 is not drawn far in rear of it.
   if (!d.mrsp.empty() && m(d.mrsp.steps[0].from) > p.from_m && m(d.mrsp.steps[0].from) < start)
     p.from_m = m(d.mrsp.steps[0].from);
-  p.x_m = places_of(a, p.from_m, p.to_m);
+  add_marks(p, a);
+  const std::vector<CurveKind> curves = curve_kinds(d);
+  p.x_m = places_of(p, a, curves, tables);
   // Wide: the Permitted speed covers its middle.
   PictureCurve mrsp{"MRSP", "MRSP", {colour::grey, 5.0, ""}, {}};
   for (const double x : p.x_m) mrsp.v.push_back(d.mrsp.at(Place{{x}}).si * kKmh);
   p.curves.push_back(std::move(mrsp));
-  add_marks(p, a);
-  add_braking_curves(p, a);
+  add_braking_curves(p, curves);
   add_limits(p, a, tables);
   p.bottom_kmh = lowest_drawn(p);
   add_zones(p, c.inputs);

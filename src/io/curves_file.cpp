@@ -1,6 +1,7 @@
 #include "io/curves_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "io/file.h"
@@ -408,7 +409,14 @@ CurvesInput read(const JsonPlace& root) {
   if (out.speeds_kmh.empty() && out.positions_m.empty()) {
     double top = 0.0;
     for (const auto& step : in.mrsp.steps) top = std::max(top, step.value.si * kKmh);
-    for (double kmh = 0.0; kmh < top + 1e-6; kmh += 10.0) out.speeds_kmh.push_back(kmh);
+    for (double kmh = 0.0; kmh < top - 1e-6; kmh += 10.0) out.speeds_kmh.push_back(kmh);
+    // Where the curves begin, without the rounding noise of km/h, and where they end.
+    out.speeds_kmh.push_back(std::nearbyint(top * 1e9) / 1e9);
+    const auto end = root["target"].find("speed_kmh");
+    if (const double V_target = end && !end->is_null() ? end->number() : 0.0; V_target < top) {
+      const auto at = std::lower_bound(out.speeds_kmh.begin(), out.speeds_kmh.end(), V_target);
+      if (*at != V_target) out.speeds_kmh.insert(at, V_target);
+    }
   }
   return out;
 }
