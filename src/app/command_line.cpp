@@ -106,26 +106,55 @@ void explain_extra(Diagnostic& d, const std::string& words) {
   }
 }
 
-Diagnostic explain(const CLI::App& command, const std::string& name, const std::string& what) {
+/// An option as it was written, `-j` or `--threads`; CLI11 has its long name. Where it is there in both ways, the one
+/// with the value `found`, else the last one.
+std::string as_written(const CLI::App& command, const std::string& name, const std::string& found,
+                       const std::vector<std::string>& arguments) {
+  const CLI::Option* option = command.get_option_no_throw(name);
+  if (option == nullptr || option->get_positional()) return name;
+  const auto written = [&](const std::string& argument) -> std::optional<Parts> {
+    for (const std::string& letter : option->get_snames())
+      if (argument.rfind("-" + letter, 0) == 0) return Parts{"-" + letter, argument.substr(1 + letter.size())};
+    for (const std::string& word : option->get_lnames())
+      if (argument == "--" + word || argument.rfind("--" + word + "=", 0) == 0)
+        return Parts{"--" + word, argument.substr(std::min(argument.size(), word.size() + 3))};
+    return std::nullopt;
+  };
+  std::string last = name;
+  for (std::size_t i = 0; i < arguments.size() && arguments[i] != "--"; ++i) {
+    const auto way = written(arguments[i]);
+    if (!way) continue;
+    last = way->before;
+    if (!found.empty() && (way->behind == found || (i + 1 < arguments.size() && arguments[i + 1] == found))) break;
+  }
+  return last;
+}
+
+Diagnostic explain(const CLI::App& command, const std::string& name, const std::string& what,
+                   const std::vector<std::string>& arguments) {
+  const auto written = [&](const std::string& option, const std::string& found = {}) {
+    return as_written(command, option, found, arguments);
+  };
   Diagnostic d{name, "", "", ""};
   std::string rest = what;
   if (const auto extra = split(what, "not expected: ")) {
     explain_extra(d, extra->behind);
   } else if (const auto conversion = split(what, "Could not convert: ")) {
     const auto value = split(conversion->behind, " = ");
-    d.where = value ? value->before : conversion->behind;
     d.found = value ? value->behind : "";
+    d.where = written(value ? value->before : conversion->behind, d.found);
     d.expected = "a number";
   } else if (what.rfind("found ", 0) == 0) {
     explain_option(d, what);
   } else if (const auto option = split(what, ": ")) {
     d.where = option->before;
     explain_option(d, option->behind);
+    if (d.where == option->before) d.where = written(d.where, d.found);
   } else if (const auto two = split(what, " excludes ")) {
-    d.found = two->before + " and " + two->behind;
+    d.found = written(two->before) + " and " + written(two->behind);
     d.expected = "one of them";
   } else if (const auto alone = split(what, " requires ")) {
-    d.found = alone->before + " alone";
+    d.found = written(alone->before) + " alone";
     d.expected = alone->behind + " with it";
   } else if (take_end(rest, " is required")) {
     explain_missing(d, command, rest);
@@ -157,7 +186,7 @@ std::string wrong_command_line(std::string name, const CLI::App& app, const CLI:
                .text() +
            "\n";
   }
-  return explain(*command, name, error.what()).text() + "\n";
+  return explain(*command, name, error.what(), arguments).text() + "\n";
 }
 
 /// Help or version.

@@ -49,6 +49,46 @@ TEST(CommandLine, SaysWhatWasFoundAndWhatWasExpected) {
             "evc decode balise: found --strict and --tolerant, expected one of them\n");
 }
 
+TEST(CommandLine, NamesAnOptionAsItWasWritten) {
+  const std::string number = "expected a whole number from 1 to 1024\n";
+  EXPECT_EQ(refused("sweep x -j 0"), "evc sweep: -j: found 0, " + number);
+  EXPECT_EQ(refused("sweep x -j0"), "evc sweep: -j: found 0, " + number);
+  EXPECT_EQ(refused("sweep x --threads 0"), "evc sweep: --threads: found 0, " + number);
+  EXPECT_EQ(refused("sweep --threads=0 x"), "evc sweep: --threads: found 0, " + number);
+  EXPECT_EQ(refused("brakes x -j"), "evc brakes: -j: found nothing after it, expected a value\n");
+  EXPECT_EQ(refused("curves --batch x -j -5"), "evc curves: -j: found -5, " + number);
+  EXPECT_EQ(refused("curves -j 3"), "evc curves: found -j alone, expected --batch with it\n");
+  EXPECT_EQ(refused("run -o ''"), "evc run: -o: found an empty argument, expected a value\n");
+  EXPECT_EQ(refused("run -o a -o b"), "evc run: -o: found it 2 times, expected it once\n");
+  EXPECT_EQ(refused("sweep case r -o"), "evc sweep case: -o: found nothing after it, expected a value\n");
+  EXPECT_EQ(refused("run --output"), "evc run: --output: found nothing after it, expected a value\n");
+  // In both ways: the wrong one.
+  EXPECT_EQ(refused("brakes x -j x --threads 3"), "evc brakes: -j: found x, " + number);
+}
+
+/// Of every option of every command that has two names and a value.
+TEST(CommandLine, NamesEveryOptionAsItWasWritten) {
+  const std::string commands[] = {"run",           "replay",        "serve",         "curves",        "curves compare",
+                                  "decode balise", "decode airgap", "decode radio",  "decode packet", "encode balise",
+                                  "encode airgap", "encode radio",  "encode packet", "make-line",     "check",
+                                  "track",         "explain",       "dmi",           "cab",           "sweep",
+                                  "sweep report",  "sweep case",    "brakes"};
+  int options = 0;
+  for (const std::string& command : commands) {
+    const std::string help = ended(command + " --help").output;
+    for (std::size_t at = 0; (at = help.find("\n  -", at)) != std::string::npos; ++at) {
+      const std::string line = help.substr(at + 3, help.find('\n', at + 1) - at - 3);
+      if (line[1] == '-' || line[2] != ',' || line.rfind("-h,", 0) == 0) continue;
+      const std::string letter = line.substr(0, 2), word = line.substr(3, line.find(' ') - 3);
+      ++options;
+      for (const std::string& name : {letter, word})
+        EXPECT_NE(refused(command + " " + name).find(": " + name + ": found nothing after it"), std::string::npos)
+            << command << " " << name;
+    }
+  }
+  EXPECT_GE(options, 15);
+}
+
 TEST(CommandLine, NamesTheCommandsThereAre) {
   const std::string all =
       "expected one of run, replay, serve, curves, decode, encode, describe, make-line, check, track, explain, dmi, "
