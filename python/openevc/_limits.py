@@ -9,12 +9,26 @@ from ._errors import end, refused
 DEFAULT = ("EBI", "SBI1", "SBI2", "FLOI", "W", "P", "I")
 
 
+def _refuse_masked(values, what, expected, place=()):
+    """NumPy forgets the mask where it makes a plain array of a masked one: what is masked would count as a value."""
+    if isinstance(values, np.ma.MaskedArray):
+        mask = np.ma.getmaskarray(values)
+        if mask.dtype == bool and mask.any():
+            place += tuple(int(i) for i in np.argwhere(mask)[0])
+            raise refused("limits", f"{what}{list(place) if place else ''}", "a masked value", expected)
+    elif isinstance(values, (list, tuple)):
+        for i, value in enumerate(values):
+            if isinstance(value, (np.ma.MaskedArray, list, tuple)):
+                _refuse_masked(value, what, expected, (*place, i))
+
+
 def _table(values, what):
     """The different trains or targets, and an array of their numbers."""
+    _refuse_masked(values, what, f"one of the {what}")
     if isinstance(values, (str, dict, os.PathLike)) or not hasattr(values, "__len__"):
         return [values], np.zeros((), np.uint32)
     try:
-        objects = np.ascontiguousarray(values, dtype=object)
+        objects = np.asarray(values, dtype=object, order="C")
     except ValueError:  # lists of different lengths
         raise refused("limits", what, "lists of different lengths", "an array of one shape") from None
     different, numbers = _native.table(objects)
@@ -22,14 +36,14 @@ def _table(values, what):
 
 
 def _speeds(speeds):
+    _refuse_masked(speeds, "speeds", "a number from 0.0 to 600.0")
     try:
         array = np.asarray(speeds)
-        if array.dtype.kind not in "fiu":
-            raise ValueError
-        array = array.astype(np.float64, copy=False)
-    except (ValueError, TypeError):
-        raise refused("limits", "speeds", f"an array of {getattr(speeds, 'dtype', type(speeds).__name__)}",
-                      "numbers, km/h") from None
+    except (ValueError, TypeError):  # lists of different lengths
+        raise refused("limits", "speeds", f"an array of {type(speeds).__name__}", "numbers, km/h") from None
+    if array.dtype.kind not in "fiu":
+        raise refused("limits", "speeds", f"an array of {array.dtype}", "numbers, km/h")
+    array = array.astype(np.float64, copy=False)
     wrong = ~((array >= 0.0) & (array <= 600.0))
     if wrong.any():
         place = tuple(int(i) for i in np.argwhere(wrong)[0])
@@ -54,10 +68,15 @@ def _arrays(columns, shape, out):
         array = None if out is None else out.get(name)
         if array is None:
             array = np.empty(shape)
+        elif isinstance(array, np.ma.MaskedArray):
+            raise refused("limits", f"out[{name!r}]", "an array with a mask", "an array without one")
         elif not (isinstance(array, np.ndarray) and array.dtype == np.float64 and array.shape == shape
                   and array.flags.c_contiguous and array.flags.writeable):
             raise refused("limits", f"out[{name!r}]", f"{array.dtype if hasattr(array, 'dtype') else type(array).__name__}"
                           f" {getattr(array, 'shape', '')}", f"a contiguous, writable array of float64 {shape}")
+        for other, filled in arrays.items():
+            if np.may_share_memory(array, filled):
+                raise refused("limits", f"out[{name!r}]", f"the memory of out[{other!r}]", "an array of its own")
         arrays[name] = array
     return arrays
 
@@ -95,6 +114,8 @@ def limits(trains, speeds, targets, *, columns=DEFAULT, track=None, national_val
         raise refused("limits", "shapes", f"trains {train_numbers.shape}, speeds {array.shape}, targets "
                       f"{target_numbers.shape}", "shapes that NumPy broadcasts together") from None
     arrays = _arrays(columns, array.shape, out)
+    if out and any(np.may_share_memory(array, filled) for filled in arrays.values()):
+        array = array.copy()  # results take the place of speeds that are not read yet
     members = {"track": track, "national_values": national_values, "fixed_values": fixed_values, "state": state,
                "srs": srs}
     common = {name: value for name, value in members.items() if value is not None}

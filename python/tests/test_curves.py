@@ -120,3 +120,38 @@ def test_matplotlib_is_imported_by_a_plot_alone():
     assert importing == ["_plot.py"]
     assert "from ._plot import draw" in (package / "_curves.py").read_text()
     assert not any("_plot" in path.read_text() for path in package.glob("*.py") if path.name != "_curves.py")
+
+
+MASKED = np.ma.array([10.0, 20.0], mask=[False, True])
+
+
+@pytest.mark.parametrize("call", [
+    lambda: evc.curves("passenger_eoa", speeds_kmh=MASKED),
+    lambda: evc.curves("passenger_eoa", positions_m=MASKED),
+    lambda: evc.curves("passenger_eoa", speeds_kmh=[10.0, np.ma.masked]),
+    lambda: evc.curves("passenger_eoa", track={"gradient": np.ma.array([[0, 1], [9, 2]], mask=[[0, 0], [0, 1]])}),
+    lambda: evc.curves("passenger_eoa", speeds_kmh=np.ma.array([(1.0, 2)], [("a", "f8"), ("b", "i4")], mask=[(0, 1)])),
+    lambda: evc.run("brunnental", seed=np.ma.masked),
+    lambda: evc.OnBoard({"train": "regional_multiple_unit"}).step(t_ms=np.ma.masked),
+    lambda: evc.sweep({"schema": "evc-sweep/1", "kind": "run", "base": {}, "vary": [{"at": "/seed", "list": MASKED}]}),
+    lambda: evc.encode.packet({"NID_PACKET": np.ma.masked}),
+])
+def test_what_is_masked_is_never_none_nor_a_number(call):
+    with pytest.raises(evc.InputError, match="found masked values, expected values without a mask"):
+        call()
+
+
+def test_an_array_of_numbers_of_any_kind_is_read():
+    speeds = [50.0, 60.5]
+    expected = evc.curves("passenger_eoa", speeds_kmh=speeds)["EBI"]
+    read_only = np.array(speeds)
+    read_only.setflags(write=False)
+    for same in (np.array(speeds), np.array(speeds, ">f8"), np.array(speeds, np.longdouble), np.array(speeds, object),
+                 [np.longdouble(50), np.float32(60.5)], np.ma.array(speeds), read_only, np.array([speeds, speeds])[:, ::-1][0][::-1]):
+        assert np.array_equal(evc.curves("passenger_eoa", speeds_kmh=same)["EBI"], expected)
+
+
+@pytest.mark.parametrize("kind", ["datetime64[ns]", "timedelta64[ns]", "datetime64[D]"])
+def test_times_are_no_speeds(kind):
+    with pytest.raises(evc.InputError, match="numpy.ndarray with times, expected numbers"):
+        evc.curves("passenger_eoa", speeds_kmh=np.array([50], kind))

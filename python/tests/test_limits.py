@@ -84,6 +84,59 @@ def test_many_different_objects_and_any_layout_keep_their_places():
         assert all(np.array_equal(whole[name][:, :, i], one[name], equal_nan=True) for name in whole)
 
 
+MASKED = np.ma.array([10.0, 20.0, 30.0], mask=[False, True, False])
+
+
+def masked(value):
+    return np.ma.array(np.array([value, value], dtype=object), mask=[False, True])
+
+
+@pytest.mark.parametrize(("arguments", "sentence"), [
+    (("standard", MASKED, TARGETS[0]), "limits: speeds[1]: found a masked value, expected a number from 0.0 to 600.0"),
+    (("standard", [MASKED, MASKED], TARGETS[0]),
+     "limits: speeds[0, 1]: found a masked value, expected a number from 0.0 to 600.0"),
+    (("standard", [1.0, np.ma.masked], TARGETS[0]),
+     "limits: speeds[1]: found a masked value, expected a number from 0.0 to 600.0"),
+    (("standard", np.ma.masked, TARGETS[0]), "limits: speeds: found a masked value, expected a number from 0.0 to 600.0"),
+    ((masked("standard"), 10.0, TARGETS[0]), "limits: trains[1]: found a masked value, expected one of the trains"),
+    (("standard", 10.0, masked(TARGETS[0])), "limits: targets[1]: found a masked value, expected one of the targets"),
+    (("standard", [10**30], TARGETS[0]), "limits: speeds: found an array of object, expected numbers, km/h"),
+    (("standard", np.array([1], "datetime64[s]"), TARGETS[0]),
+     "limits: speeds: found an array of datetime64[s], expected numbers, km/h"),
+    (("standard", np.array([(1.0, 2)], [("a", "f8"), ("b", "i4")]), TARGETS[0]),
+     "limits: speeds: found an array of [('a', '<f8'), ('b', '<i4')], expected numbers, km/h"),
+])
+def test_what_is_masked_or_no_number_is_refused(arguments, sentence):
+    with pytest.raises(evc.InputError) as error:
+        evc.limits(*arguments)
+    assert str(error.value) == sentence
+
+
+def test_an_array_without_anything_masked_is_an_array():
+    plain = evc.limits("standard", SPEEDS, TARGETS[0])["EBI"]
+    read_only = np.array(SPEEDS)
+    read_only.setflags(write=False)
+    for same in (np.ma.array(SPEEDS), np.ma.array(SPEEDS, mask=[False] * 3), read_only, np.longdouble(SPEEDS),
+                 np.array(SPEEDS, ">f8")):
+        assert np.array_equal(evc.limits("standard", same, TARGETS[0])["EBI"], plain)
+    nothing = np.array("standard", dtype=object), np.array(10.0), np.array(TARGETS[0], dtype=object)
+    assert evc.limits(*nothing)["EBI"].shape == ()
+
+
+def test_results_do_not_meet_one_another_or_the_speeds():
+    with pytest.raises(evc.InputError) as error:
+        evc.limits("standard", SPEEDS, TARGETS[0], columns="EBI", out={"EBI": np.ma.zeros(3)})
+    assert str(error.value) == "limits: out['EBI']: found an array with a mask, expected an array without one"
+    one = np.zeros(3)
+    with pytest.raises(evc.InputError) as error:
+        evc.limits("standard", SPEEDS, TARGETS[0], columns=("EBI", "P"), out={"EBI": one, "P": one})
+    assert str(error.value) == "limits: out['P']: found the memory of out['EBI'], expected an array of its own"
+    speeds = np.linspace(0.0, 160.0, 100_000)
+    expected = evc.limits("standard", speeds[::-1], TARGETS[0], columns="EBI")["EBI"]
+    evc.limits("standard", speeds[::-1], TARGETS[0], columns="EBI", out={"EBI": speeds})
+    assert np.array_equal(speeds, expected)
+
+
 def test_arrays_of_the_caller_are_filled():
     out = {"EBI": np.full(3, -1.0), "P": None}
     result = evc.limits("standard", SPEEDS, TARGETS[0], columns=("EBI", "P"), out=out)

@@ -105,11 +105,30 @@ class Converter {
     return array;
   }
 
+  /// The letter of NumPy for what an array holds; empty for what is no array.
+  static std::string kind_of(py::handle value) {
+    if (!py::hasattr(value, "dtype") || !py::hasattr(value.attr("dtype"), "kind")) return "";
+    return py::str(value.attr("dtype").attr("kind"));
+  }
+  static bool is_masked(py::handle value) {
+    const py::module_ masked_arrays = py::module_::import("numpy.ma");
+    if (!py::isinstance(value, masked_arrays.attr("MaskedArray"))) return false;
+    // With fields the mask has fields too, as bytes of 0 and 1.
+    const auto bits = masked_arrays.attr("getmaskarray")(value).attr("tobytes")().cast<std::string>();
+    return bits.find('\1') != std::string::npos;
+  }
+
   /// Arrays and numbers of NumPy, mappings, names of files.
   Json of_another(py::handle value, const Way& way, std::size_t depth) const {
     if (py::hasattr(value, "tolist")) {
+      const std::string kind = kind_of(value);
+      // As plain values a masked one would be None, and a time a number of its units.
+      if (is_masked(value)) fail(way, "masked values", "values without a mask");
+      if (kind == "m" || kind == "M") fail(way, type_of(value) + " with times", "numbers");
       const py::object plain = value.attr("tolist")();
-      if (!plain.is(value)) return of(plain, way, depth + 1);
+      if (Py_TYPE(plain.ptr()) != Py_TYPE(value.ptr())) return of(plain, way, depth + 1);
+      // A number with more digits than a double stays what it is.
+      if (kind == "f") return number(py::float_(py::reinterpret_borrow<py::object>(value)), way);
     }
     if (py::hasattr(value, "__fspath__")) return of(value.attr("__fspath__")(), way, depth + 1);
     if (py::hasattr(value, "keys") && py::hasattr(value, "__getitem__"))
