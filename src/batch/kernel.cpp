@@ -349,7 +349,7 @@ HWY_INLINE void place_downstream(Block& b, std::size_t i, const Curve& c, V w_fo
 
 HWY_INLINE void put(const Block& b, Output which, std::size_t i, M exists, V location, V place) {
   if (b.out[which] == nullptr) return;
-  const M somewhere = hn::And(exists, hn::Gt(place, number(-1e8)));
+  const M somewhere = hn::And(exists, hn::Gt(place, number(-kFarthest.si)));
   const V none = number(std::numeric_limits<double>::quiet_NaN());
   hn::Store(choose(somewhere, hn::Sub(location, place), none), D(), b.out[which] + i);
 }

@@ -103,7 +103,7 @@ class OneByOne {
   }
 
   void put(Output which, Place place) {
-    if (out_[which] != nullptr && place.from_origin.si > -1e8) out_[which][at_] = (location_ - place).si;
+    if (out_[which] != nullptr && place.from_origin.si > -kFarthest.si) out_[which][at_] = (location_ - place).si;
   }
 
   const Trains::Tables& tables_;
@@ -272,7 +272,14 @@ class ByTrain {
 
 }  // namespace
 
+bool in_range(const Target& target) {
+  const auto known = [](Place place) { return std::abs(place.from_origin.si) <= kFarthest.si; };  // no NaN either
+  return known(target.location) && (target.kind != sdm::TargetKind::EOA_SvL || known(target.SvL));
+}
+
 void limits(const Trains& trains, std::span<const Target> targets, const Cases& cases, const LimitsOut& out) {
+  // Beyond the end of every track, segments would have no border, and arcs no end.
+  EVC_REQUIRE(std::all_of(targets.begin(), targets.end(), in_range));
   const Trains::Tables& tables = trains.tables();
   const Pointers pointers = pointers_of(out);
   const auto filling = std::make_unique<Filling>(tables, pointers);

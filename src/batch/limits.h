@@ -12,7 +12,11 @@
 // `sdm::explain` gives: the same operations in the same order.
 namespace evc::batch {
 
-/// One target on the track of a train (3.13.8.2).
+/// Places of targets are from -kFarthest to kFarthest; a curve at or beyond -kFarthest is nowhere (no line is as long,
+/// and src/sdm takes 1e9 m for the end of every track).
+inline constexpr Distance kFarthest{1e8};
+
+/// One target on the track of a train (3.13.8.2). Its places are in range (kFarthest).
 struct Target {
   sdm::TargetKind kind = sdm::TargetKind::EOA_SvL;
   Place location{};         ///< EOA, LOA, start of the restriction, end of the SR distance: distances count from here
@@ -80,8 +84,11 @@ struct LimitsOut {
   std::span<double> W_SvL, P_SvL, I_SvL;  ///< of the EBD, for every kind of target
 };
 
+/// Whether the places of a target are in the range that curves and limits have.
+bool in_range(const Target& target);
+
 /// Computes the limits of all cases on this thread, with the widest instructions that the processor has. Any number of
-/// threads may do so with the same trains at once.
+/// threads may do so with the same trains at once. Targets out of range are a defect of the caller (EVC_REQUIRE).
 void limits(const Trains& trains, std::span<const Target> targets, const Cases& cases, const LimitsOut& out);
 
 }  // namespace evc::batch

@@ -310,4 +310,62 @@ TEST(Batch, ACurveWithTooManyArcsBeyondItsTargetIsThatOfSdm) {
   use_only(0);
 }
 
+/// At both ends of the range of places, also of curves with their foot beyond the target.
+TEST(Batch, PlacesAtTheEndsOfTheirRangeHaveTheBitsOfSdm) {
+  for (const double at : {-0.999 * kFarthest.si, kFarthest.si}) {
+    sdm::Inputs in = sdm::test::simple_inputs();
+    in.gradient.permille = {};
+    (void)in.gradient.permille.append({{-2e9}}, 0.0);
+    for (int i = 0; i < 6; ++i) (void)in.gradient.permille.append({{at - 1500.0 + 300.0 * i}}, i % 2 == 0 ? 7.0 : -9.0);
+    in.mrsp = {};
+    (void)in.mrsp.append({{-2e9}}, kmh(160.0));
+    in.authority.kind = sdm::Authority::Kind::LOA;
+    in.authority.EOA = {{at}};
+    in.authority.V_LOA = kmh(80.0);
+    const auto d = sdm::test::built(in);
+    Trains trains;
+    (void)trains.add(in);
+    ASSERT_TRUE(trains.vectorised(0));
+    const std::vector<batch::Target> targets{of(d->targets.back())};
+    ASSERT_TRUE(in_range(targets[0]));
+    std::vector<double> speed;
+    for (double v = 75.0; v < 130.0; v += 0.5) speed.push_back(kmh(v).si);
+    for (const Instructions& set : sets_of_instructions()) {
+      use_only(set.target);
+      Columns limits;
+      for (auto& column : limits) column.assign(speed.size(), -777.0);
+      batch::limits(trains, targets, {{}, {}, speed}, out_of(limits));
+      for (std::size_t i = 0; i < speed.size(); ++i) {
+        const sdm::Explanation e = sdm::explain(*d, in, d->targets.back(), Speed{speed[i]}, {}, {});
+        ASSERT_EQ(limits[kEBD][i], (targets[0].location - e.d_EBD).si) << set.name << " " << at << " " << speed[i];
+        ASSERT_EQ(limits[kI][i], (targets[0].location - e.d_I).si) << set.name << " " << at << " " << speed[i];
+      }
+    }
+    use_only(0);
+  }
+}
+
+TEST(Batch, ATargetBeyondTheRangeOfPlacesIsADefectOfTheCaller) {
+  Trains trains;
+  (void)trains.add(sdm::test::simple_inputs());
+  const std::vector<double> speed{20.0};
+  std::vector<double> EBI(1);
+  batch::LimitsOut out;
+  out.EBI = EBI;
+  for (const double wrong : {1.001e8, -1.001e8, 1e9, 2e9, 1e300, std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::quiet_NaN()}) {
+    batch::Target beyond;
+    beyond.kind = sdm::TargetKind::LOA;
+    beyond.location = {{wrong}};
+    beyond.V_target = kmh(40.0);
+    EXPECT_FALSE(in_range(beyond)) << wrong;
+    beyond.kind = sdm::TargetKind::EOA_SvL;
+    beyond.location = {{1000.0}};
+    beyond.SvL = {{wrong}};
+    EXPECT_FALSE(in_range(beyond)) << wrong;
+    const std::vector<batch::Target> targets{beyond};
+    EXPECT_DEATH(batch::limits(trains, targets, {{}, {}, speed}, out), "");
+  }
+}
+
 }  // namespace
