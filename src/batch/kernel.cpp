@@ -5,8 +5,9 @@
 #include "batch/tables.h"
 
 // Each set of instructions is a compilation of this file: foreach_target.h includes it again and again. SSSE3 is slower
-// than one number at a time, and the variants of AVX-512 would bring nothing for numbers of 64 bits.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+// than one number at a time. Targets with lower bits than AVX-512 (HWY_AVX3) are its variants with further
+// instructions, more of them in each version of Highway; they would bring nothing for numbers of 64 bits.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | (HWY_AVX3 - 1))
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "batch/kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -72,11 +73,11 @@ struct Cell {
 /// takes twice the time of everything else.
 HWY_INLINE Cell cells_at(const double* numbers, VI cell) {
   static_assert(kTwiceA == 0 && kUpto == 1 && kBegin == 2 && kCellValues == 4);
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
   alignas(64) std::int64_t index[hn::MaxLanes(D())];
   hn::Store(cell, DI(), index);
   const hn::FixedTag<double, 4> quarter;
-#if HWY_TARGET == HWY_AVX3
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
   const auto load = [&](int k) HWY_ATTR {
     return hn::Combine(D(), hn::LoadU(quarter, numbers + index[k + 4]), hn::LoadU(quarter, numbers + index[k]));
   };
@@ -169,7 +170,9 @@ class AnyTrains {
   SegmentValue kind_;
 };
 
-#if HWY_TARGET == HWY_AVX3
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
+static_assert(hn::MaxLanes(D()) == 8, "512 bits: the tables are permuted as a whole");
+
 /// All lanes have the same train, whose look-up tables are in registers: a permutation with the numbers of the lanes'
 /// segments or bands as index takes the place of eight loads from different places.
 class OneTrain {
@@ -211,7 +214,7 @@ class OneTrain {
 
  private:
   HWY_INLINE V of_segment(const V (&table)[4], VI segment, M beyond_16) const {
-    // This version of Highway has no permutation of two vectors.
+    // Highway has no permutation of two vectors before 1.0.5.
     const V low{_mm512_permutex2var_pd(table[0].raw, segment.raw, table[1].raw)};
     const V high{_mm512_permutex2var_pd(table[2].raw, segment.raw, table[3].raw)};
     return choose(beyond_16, high, low);
@@ -300,7 +303,7 @@ HWY_INLINE void place_upstream_on(const Track& track, std::size_t k, const Curve
 /// The same for curves of one kind; `k` is the first lane's case.
 HWY_NOINLINE void place_upstream(const Block& b, SegmentValue kind, std::size_t k, const Curve* curves, const V* wanted,
                                  const M* asked, V* place) {
-#if HWY_TARGET == HWY_AVX3
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
   if (alike(b, k) && b.numbers[b.values[k] + kLookedUp] > 0.5)
     return place_upstream_on(OneTrain(b, kind, k), k, curves, wanted, asked, place);
 #endif
