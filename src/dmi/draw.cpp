@@ -67,7 +67,7 @@ void draw(const State& state, Duration now, Screen& screen) {
   screen.flashing.clear();
   screen.touch.clear();
   screen.window.clear();
-  screen.window.append(row_of(state.window).title);
+  screen.window.append(title_of(state, state.window).view());
   screen.sounds = state.commands.sounds;
   screen.brightness = state.brightness;
   screen.volume = state.volume;

@@ -48,7 +48,7 @@ void draw_field(const Drawing& to, std::size_t place, std::size_t line) {
   Item field = to.item(Kind::field, area, Colour::grey, within(area, at));
   field.data_at = field.at;
   if (layout == Layout::entry_full) field.data_at = data_part(field.at);
-  if (layout != Layout::validation) field.name.append(label(entered.id));
+  if (layout != Layout::validation) field.name.append(label(entered.id, state.display.config.srs));
   field.text = shown_value(state, entered);
   field.state = field_is;
   field.number = static_cast<std::int16_t>(line + 1);
@@ -74,7 +74,7 @@ void draw_echoes(const Drawing& to) {
   for (std::size_t i = 0; i < entry.fields.size(); ++i) {
     const Echo echoed = echo_of(state, entry.fields[i]);
     Item echo = to.item(Kind::echo, Area::full, echoed.colour);
-    echo.name.append(label(entry.fields[i].id));
+    echo.name.append(label(entry.fields[i].id, state.display.config.srs));
     echo.text = echoed.words;
     echo.number = static_cast<std::int16_t>(i + 1);
     echo.label_right = 199;
@@ -130,7 +130,7 @@ void draw_validation_keys(const Drawing& to) {
 
 /// "Train data entry complete?" with its answer (015560 10.3.5.7).
 void draw_question(const Drawing& to) {
-  Words question{row_of(to.state.window).title};
+  Words question = title_of(to.state, to.state.window);
   question.append(" entry complete?");
   to.rect(Area::full, Colour::dark_blue, {0, 350, 334, 50}, "question");
   Item text = to.text_item(Area::full, question, Colour::grey, 12, Align::centre, 0);

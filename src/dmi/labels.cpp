@@ -44,6 +44,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(FieldId::count)>
     "Airtight",
     "Loading gauge",
     "Validation"};
+constexpr std::string_view kNetworkBefore400 = "Radio network ID";
 
 }  // namespace
 
@@ -69,8 +70,13 @@ std::string_view fixed_text(std::uint8_t Q_TEXT) {
   return kFixed[Q_TEXT < 2 ? Q_TEXT : 2];
 }
 
-std::string_view label(FieldId id) {
+std::string_view label(FieldId id, SrsVersion srs) {
+  if (id == FieldId::network && srs != SrsVersion::v4_0_0) return kNetworkBefore400;
   return id < FieldId::count ? kLabels[static_cast<std::size_t>(id)] : std::string_view{};
+}
+
+Words label(Button button, SrsVersion srs) {
+  return button == Button::gsmr_network_id ? Words{label(FieldId::network, srs)} : Words{name(button)};
 }
 
 std::string_view language_name(Language language) {

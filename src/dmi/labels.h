@@ -14,7 +14,10 @@ bool has_ntc_name(const port::Display&, std::uint8_t nid_ntc);
 Words ntc_label(const port::Display&, std::uint8_t nid_ntc);
 /// A fixed text of the trackside (A.3.4 of SUBSET-026, Q_TEXT).
 std::string_view fixed_text(std::uint8_t Q_TEXT);
-std::string_view label(FieldId);
+/// Of a field; that of the radio network had another name before 4.0.0.
+std::string_view label(FieldId, SrsVersion);
+/// Of a button of a menu.
+Words label(Button, SrsVersion);
 /// A language in itself.
 std::string_view language_name(Language);
 

@@ -4,6 +4,7 @@
 #include "dmi/acks.h"
 #include "dmi/dmi.h"
 #include "dmi/drawing.h"
+#include "dmi/labels.h"
 #include "dmi/touch.h"
 #include "dmi/windows.h"
 
@@ -76,7 +77,7 @@ void draw_touch(const Drawing& to) {
         name_ack(touch, to.state);
         break;
       case ActionKind::button:
-        touch.name.append(name(static_cast<Button>(target.action.argument)));
+        touch.name.append(label(static_cast<Button>(target.action.argument), to.display.config.srs).view());
         touch.action.append("button");
         break;
       case ActionKind::key:

@@ -136,7 +136,7 @@ Words stored_words(const State& state, FieldId id, DataStatus status) {
 }
 
 void add_stored(ViewItems& items, const State& state, FieldId id, DataStatus status) {
-  add_item(items, label(id), stored_words(state, id, status));
+  add_item(items, label(id, state.display.config.srs), stored_words(state, id, status));
 }
 
 /// Lines up to the end of a page stay empty.
@@ -178,6 +178,11 @@ Words version_words(std::uint8_t M_VERSION) {
 }
 
 }  // namespace
+
+Words title_of(const State& state, WindowId window) {
+  if (window == network_id) return Words{label(FieldId::network, state.display.config.srs)};
+  return Words{row_of(window).title};
+}
 
 MenuButtons menu_buttons(const State& state, WindowId window) {
   MenuButtons buttons;

@@ -12,7 +12,7 @@ enum class Layout : std::uint8_t { default_, menu, entry_half, entry_full, valid
 
 struct WindowRow {
   WindowId id;
-  const char* title;
+  const char* title;  ///< of 4.0.0; see `title_of`
   Layout layout;
   WindowId parent;
   Button button;        ///< of its parent, whose condition holds it open; count: none
@@ -31,6 +31,9 @@ inline bool is_full(WindowId id) {
   const Layout layout = layout_of(id);
   return layout == Layout::entry_full || layout == Layout::validation;
 }
+
+/// What the title of a window says in the edition of the display.
+Words title_of(const State&, WindowId);
 
 /// A button of a menu window at its place.
 struct MenuButton {

@@ -17,7 +17,7 @@ Rect relative(Area area, Rect abs) {
 void draw_title(const Drawing& to, Area area) {
   const bool full = area == Area::full;
   const Rect at{0, 0, static_cast<std::int16_t>(full ? 334 : 306), 24};
-  Words title{row_of(to.state.window).title};
+  Words title = title_of(to.state, to.state.window);
   const std::uint8_t pages = pages_of(to.state);
   if (pages > 1) {
     title.append(" (");
@@ -38,9 +38,9 @@ void draw_title(const Drawing& to, Area area) {
 }
 
 /// A button of a window with a picture or a label.
-Item window_button(const Drawing& to, Area area, Rect abs, Action action, bool enabled, const char* called) {
+Item window_button(const Drawing& to, Area area, Rect abs, Action action, bool enabled, const Words& called) {
   Item button = to.item(Kind::button, area, enabled ? Colour::grey : Colour::dark_grey, relative(area, abs));
-  button.name.append(called);
+  button.name.append(called.view());
   button.height = 12;
   button.align = Align::centre;
   button.enabled = enabled;
@@ -65,18 +65,16 @@ void draw_window_buttons(const Drawing& to, Area area) {
   to.add(button);
 }
 
-/// The hour glass in the title, every second at the next of ten places (015560 11.2.1.6). It begins at the first one
-/// behind the words of the title: of Main at the first of all, of Radio data, whose title is longer, at the third.
+/// The hour glass in the title, every second at the next of ten places (015560 11.2.1.6, 11.2.5.6). Of Radio data it
+/// goes over the end of the title, on ground of its own, so that both can be told apart.
 void draw_hour_glass(const Drawing& to) {
   if (!is_waiting(to.state)) return;
   constexpr std::int32_t kFirst = 42, kStep = 26, kPlaces = 10;
-  const double title_end = 3.0 + width_of(Words{row_of(to.state.window).title}.view(), 12, false);
-  std::int32_t begin = 0;
-  while (begin + 1 < kPlaces && kFirst + kStep * begin < title_end) ++begin;
   const double passed = (to.now - to.state.waiting_since).si;
-  const std::int32_t place = begin + whole(passed - 0.5, 0, 2000000000) % (kPlaces - begin);
-  Item glass =
-      to.item(Kind::symbol, Area::half, Colour::none, {static_cast<std::int16_t>(kFirst + kStep * place), 2, 20, 20});
+  const std::int32_t place = whole(passed - 0.5, 0, 2000000000) % kPlaces;
+  const Rect at{static_cast<std::int16_t>(kFirst + kStep * place), 2, 20, 20};
+  to.rect(Area::half, Colour::black, at);
+  Item glass = to.item(Kind::symbol, Area::half, Colour::none, at);
   glass.picture = Picture::ST05;
   to.add(glass);
 }
@@ -84,14 +82,15 @@ void draw_hour_glass(const Drawing& to) {
 void draw_menu(const Drawing& to) {
   for (const MenuButton& row : menu_buttons(to.state, to.state.window)) {
     const bool enabled = button_enabled(to.state, row.button);
+    const Words called = label(row.button, to.display.config.srs);
     Item button = window_button(to, Area::half, menu_place(row.number),
-                                {ActionKind::button, static_cast<std::uint8_t>(row.button)}, enabled, name(row.button));
+                                {ActionKind::button, static_cast<std::uint8_t>(row.button)}, enabled, called);
     button.number = row.number;
     button.type = row.type;
     if (row.picture)
       button.picture = row.picture;
     else
-      button.text.append(name(row.button));
+      button.text = called;
     to.add(button);
   }
   draw_window_buttons(to, Area::half);

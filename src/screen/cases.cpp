@@ -101,7 +101,7 @@ Action selected_field(const Scene& scene) { return {ActionKind::field, scene.pla
 
 std::string window_words(const Scene& scene) {
   const dmi::State& state = scene.player.state();
-  std::string words = dmi::row_of(state.window).title;
+  std::string words(dmi::title_of(state, state.window).view());
   if (dmi::pages_of(state) > 1) words += " page " + std::to_string(state.page + 1);
   return words;
 }

@@ -80,7 +80,7 @@ bool touch_field(Scene& scene, std::size_t place) {
 std::optional<std::size_t> field_labelled(const Scene& scene, std::string_view label) {
   const auto& fields = scene.player.state().entry.fields;
   for (std::size_t i = 0; i < fields.size(); ++i)
-    if (dmi::label(fields[i].id) == label) return i;
+    if (dmi::label(fields[i].id, scene.player.state().display.config.srs) == label) return i;
   return std::nullopt;
 }
 
@@ -591,7 +591,7 @@ bool open_window(Scene& scene, std::string_view title) {
   Player& player = scene.player;
   for (std::size_t i = 0; i < dmi::kWindows; ++i) {
     const dmi::WindowRow& row = dmi::row_of(static_cast<dmi::WindowId>(i));
-    if (row.title != title) continue;
+    if (row.title != title && dmi::title_of(player.state(), row.id).view() != title) continue;
     if (player.state().window == row.id) return true;
     if (row.id == dmi::WindowId::default_) return false;  // another window is open
     if (row.layout == dmi::Layout::validation) {

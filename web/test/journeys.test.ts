@@ -210,17 +210,17 @@ inBrowser("chrome", (open) => {
     await cab.openDesk();
     await cab.enter("Driver ID", "1234");
     await cab.enter("Level", "Level 2");
-    await cab.wait({ window: "Radio data", offers: "GSM-R network ID" }, 60);
+    await cab.wait({ window: "Radio data", offers: "Radio network ID" }, 60);
     // Nobody can be called before a terminal is registered.
     const isOffered = async (name: string): Promise<boolean | undefined> =>
       (await cab.see()).places.find((place) => place.name === name)?.enabled;
     assert.equal(await isOffered("Enter RBC data"), false);
     assert.equal(await isOffered("Use short number"), false);
-    await cab.press("GSM-R network ID");
-    await cab.wait({ window: "GSM-R network ID" }, 30);
+    await cab.press("Radio network ID");
+    await cab.wait({ window: "Radio network ID" }, 30);
     assert.deepEqual((await cab.see()).keys.map((key) => key.label), ["26202", "26201"]);
     // The display waits for the registration.
-    await cab.enter("GSM-R network ID", "26201");
+    await cab.enter("Radio network ID", "26201");
     await cab.wait({ window: "Radio data" }, 5);
     assert.ok(await shows("ST05"));
     assert.equal(await isOffered("Enter RBC data"), false);
