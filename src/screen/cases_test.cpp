@@ -381,6 +381,58 @@ TEST(Cases, TurnToTheirPage) {
   EXPECT_THROW((void)answer_to({{"mode", "FS"}, {"page", 2}}, any), io::ReadError);
 }
 
+// The pages of the data view follow from the VBCs, those of train data from the fields: `pages` of a case is compared.
+TEST(Cases, HaveThePagesThatTheyName) {
+  const auto items = [](const char* window, int pages, int page) {
+    const Json given{{"window", window}, {"page", page}, {"pages", pages}};
+    return answer_to(given, {{"must", Json::array()}})["items"];
+  };
+  const Json third = items("Data view", 3, 3);
+  EXPECT_TRUE(shows(third, {{"kind", "text"}, {"value", "Data view (3/3)"}}));
+  EXPECT_TRUE(shows(third, {{"kind", "view_item"}, {"n", 1}, {"label", "VBC #10 set code"}}));
+  EXPECT_FALSE(shows(items("Data view", 2, 2), {{"kind", "view_item"}, {"label", "VBC #1 set code"}}));
+  EXPECT_TRUE(shows(items("Train data", 2, 1), {{"kind", "text"}, {"value", "Train data (1/2)"}}));
+  EXPECT_THROW((void)items("Train data", 3, 1), io::ReadError);
+  EXPECT_THROW((void)items("Data view", 1, 1), io::ReadError);
+  const Json two =
+      answer_to({{"window", "Data view"}, {"page", 2}, {"vbc_count", 2}}, {{"must", Json::array()}})["items"];
+  EXPECT_TRUE(shows(two, {{"kind", "view_item"}, {"label", "VBC #2 set code"}}));
+}
+
+// Symbols of buttons and keys are found by their names, as those of areas are.
+TEST(Cases, NameTheSymbolsOfButtonsAndKeys) {
+  const auto items = [](const Json& given) { return answer_to(given, {{"must", Json::array()}})["items"]; };
+  const auto symbol = [](const char* id, const char* area, double x, double y) {
+    return Json{{"kind", "symbol"}, {"id", id}, {"area", area}, {"w", 32}, {"h", 32}, {"centre", {x, y}}};
+  };
+  EXPECT_TRUE(shows(items({{"mode", "FS"}}), symbol("SE04", "F5", 610, 240)));
+  const Json settings = items({{"window", "Settings"}});
+  EXPECT_TRUE(shows(settings, symbol("SE03", "half", 410.5, 90)));
+  EXPECT_TRUE(shows(settings, symbol("SE02", "half", 563.5, 90)));
+  EXPECT_TRUE(shows(settings, symbol("SE01", "half", 410.5, 140)));
+  EXPECT_TRUE(shows(settings, symbol("NA11", "half", 375, 440)));
+  const Json train = items({{"window", "Train data"}});
+  EXPECT_TRUE(shows(train, symbol("NA19", "full", 457, 440)));
+  EXPECT_TRUE(shows(train, symbol("NA17", "full", 539, 440)));
+  EXPECT_TRUE(shows(train, symbol("NA23", "full", 589, 390)));
+  EXPECT_TRUE(shows(items({{"window", "Driver ID"}}), symbol("NA21", "half", 385, 390)));
+}
+
+// The words of 3.6.0: its radio network, and level 3.
+TEST(Cases, FollowTheirEdition) {
+  const auto items = [](Json given, const char* srs) {
+    given["srs"] = srs;
+    return answer_to(given, {{"must", Json::array()}})["items"];
+  };
+  const Json window{{"window", "Radio network ID"}};
+  EXPECT_TRUE(shows(items(window, "3.6.0"), {{"kind", "text"}, {"value", "Radio network ID"}}));
+  EXPECT_TRUE(
+      shows(items({{"window", "GSM-R network ID"}}, "4.0.0"), {{"kind", "text"}, {"value", "GSM-R network ID"}}));
+  EXPECT_TRUE(shows(items({{"level", "3"}, {"level_valid", true}}, "3.6.0"),
+                    {{"kind", "symbol"}, {"id", "LE05"}, {"area", "C8"}}));
+  EXPECT_THROW((void)items(window, "4.0.0"), io::ReadError);
+}
+
 // 015560 8.2.3.4.7 e: E11 shows the next line.
 TEST(Cases, ScrollTheirTexts) {
   Json texts = Json::array();

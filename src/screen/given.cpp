@@ -77,8 +77,8 @@ Picture condition_named(const JsonPlace& p) {
 }
 
 Level level_named(const JsonPlace& p) {
-  constexpr std::array<std::pair<const char*, Level>, 4> levels{
-      {{"0", Level::L0}, {"NTC", Level::NTC}, {"1", Level::L1}, {"2", Level::L2}}};
+  constexpr std::array<std::pair<const char*, Level>, 5> levels{
+      {{"0", Level::L0}, {"NTC", Level::NTC}, {"1", Level::L1}, {"2", Level::L2}, {"3", Level::L3}}};
   return named(p, levels);
 }
 
@@ -90,6 +90,12 @@ void name_ntc(Display& display, std::string_view name) {
   display.config.ntc_names.clear();
   (void)display.config.ntc_names.push_back(row);
   display.nid_ntc = kNtc;
+}
+
+/// A VBC more among the data that are shown; false: there is no room.
+bool add_cover(Display& display) {
+  const auto number = static_cast<std::uint8_t>(display.data.covers.size() + 1);
+  return display.data.covers.push_back({926, number, Duration{}, 4});
 }
 
 /// A string of at most eight digits.
@@ -464,7 +470,13 @@ const std::map<std::string, Setter, std::less<>>& button_setters() {
       {"consist_front_m",
        [](Setting& s, const JsonPlace& p) { s.context.consist_in_front = p.number(0.0, 1e5) > 0.0; }},
       {"v_override_limit", [](Setting& s, const JsonPlace& p) { s.override_limit_kmh = p.number(0.0, 600.0); }},
-      {"vbc_count", [](Setting& s, const JsonPlace& p) { s.context.cover_stored = p.integer(0, 1000) > 0; }},
+      {"vbc_count",
+       [](Setting& s, const JsonPlace& p) {
+         const std::int64_t count = p.integer(0, 1000);
+         s.context.cover_stored = count > 0;
+         for (std::int64_t i = 0; i < count && add_cover(s.display); ++i) {
+         }
+       }},
       {"vbc_capacity", nothing},
       {"rbc_contact",
        [](Setting& s, const JsonPlace& p) {
@@ -592,12 +604,23 @@ void touch_often(Scene& scene, ActionKind what, const JsonPlace& times, std::int
     if (!scene.player.touch(dmi::Action{what})) times.fail(expected);
 }
 
+/// So many pages has the window: those of the data view follow from the VBCs on them (015560 Table 45), those of train
+/// data from the fields.
+void fill_pages(Scene& scene, const JsonPlace& pages) {
+  const auto wanted = static_cast<std::size_t>(pages.integer(1, 99));
+  const auto found = [&] { return std::size_t{dmi::pages_of(scene.player.state())}; };
+  const bool views = scene.player.state().window == dmi::WindowId::data_view;
+  while (views && found() < wanted && add_cover(scene.player.display())) scene.player.show();
+  if (found() != wanted) pages.fail("the number of pages of the window, " + std::to_string(found()));
+}
+
 /// Opens the window of the case at its page, and scrolls the texts (015560 10.3.5.3, 10.5.1, 8.2.3.4.7 e).
 void open_wanted(Scene& scene, const JsonPlace& given, const JsonPlace& expect) {
   auto window = window_of(given, expect);
   if (const auto keyboard = window_of_keyboard(given)) window = std::string(*keyboard);
   if (given.find("data") || given.find("cursor")) window = "Driver ID";
   if (window && !open_window(scene, *window)) given.fail("a window that can be opened, found \"" + *window + "\"");
+  if (const auto pages = given.find("pages")) fill_pages(scene, *pages);
   if (const auto page = given.find("page"))
     touch_often(scene, ActionKind::next, *page, page->integer(1, 99) - 1, "a page that the window has");
   if (const auto lines = given.find("scroll_lines"))

@@ -155,6 +155,7 @@ void add_dial_item(OrderedJson& out, const Item& item) {
       out["value"] = utf8(item.text.view());
       out["near_deg"] = rounded(item.from_deg);
       out["radius"] = rounded(item.r_in);
+      if (item.w != 0) out["aside"] = item.w;
       out["height"] = item.height;
       break;
     case Kind::hook:
@@ -299,6 +300,19 @@ OrderedJson rectangle(const std::string& name, const Rect& abs) {
   return {{"kind", "rect"}, {"name", name}, {"abs", list_of(abs)}};
 }
 
+/// The symbol of a button or key, in its middle.
+void append_symbol(OrderedJson& items, const Item& item) {
+  const PictureRow& row = kPictureRows[terms::index(*item.picture)];
+  Item symbol = item;
+  symbol.kind = Kind::symbol;
+  symbol.colour = dmi::Colour::none;
+  symbol.at.x = static_cast<std::int16_t>(item.at.x + (item.at.w - row.width) / 2);
+  symbol.at.y = static_cast<std::int16_t>(item.at.y + (item.at.h - row.height) / 2);
+  symbol.at.w = row.width;
+  symbol.at.h = row.height;
+  items.push_back(json_of(symbol));
+}
+
 /// The surface of a button that has one, and the text on it.
 void append_filled(OrderedJson& items, const Item& item) {
   OrderedJson surface{
@@ -328,9 +342,11 @@ void append_parts(OrderedJson& items, const Item& item) {
     add_label(part, item);
     items.push_back(std::move(part));
     if (item.background != dmi::Colour::none) append_filled(items, item);
+    if (item.picture) append_symbol(items, item);
   }
   if (item.kind == Kind::key) {
     items.push_back(rectangle(item.name.empty() ? "key " + number : utf8(item.name.view()), abs));
+    if (item.picture) append_symbol(items, item);
   }
   if (item.kind == Kind::field) {
     const Rect data = item.data_at.w > 0 ? dmi::absolute(item.area, item.data_at) : abs;
