@@ -1,5 +1,7 @@
 #include "actions.h"
 
+#include <tuple>
+
 namespace evc::exploration {
 namespace {
 
@@ -98,14 +100,15 @@ BitList level_1_with(BitList authority) {
   through_step::append(p, authority);
   return p;
 }
-BitList with_mode(unsigned NID_PACKET, std::uint64_t M_MAMODE, std::uint64_t D_MAMODE) {
+BitList with_mode(unsigned NID_PACKET, std::uint64_t M_MAMODE, std::uint64_t D_MAMODE,
+                  std::uint64_t L_ACKMAMODE = 300) {
   BitList p = authority(NID_PACKET, 2000);
   put(p, 80,
       {{"M_MAMODE", M_MAMODE},
        {"D_MAMODE", D_MAMODE},
        {"V_MAMODE", 6},
        {"L_MAMODE", 500},
-       {"L_ACKMAMODE", 300},
+       {"L_ACKMAMODE", L_ACKMAMODE},
        {"Q_MAMODE", 1}});
   return p;
 }
@@ -114,15 +117,36 @@ BitList reversing() {
   put(p, 139, {{"D_REVERSE", 1000}, {"V_REVERSE", 6}});
   return p;
 }
-Act group(std::function<BitList()> packets) {
-  return [packets](Runner& r) { r.pass(packets()); };
+Act group(std::function<BitList()> packets, Ahead ahead = {}) {
+  return [packets, ahead](Runner& r) { r.pass(packets(), false, ahead); };
 }
-Act message(unsigned NID_MESSAGE, std::function<BitList()> packets = {}, Codes codes = {}, unsigned answers = 0) {
+Act message(unsigned NID_MESSAGE, std::function<BitList()> packets = {}, Codes codes = {}, unsigned answers = 0,
+            Ahead ahead = {}) {
   return [=](Runner& r) {
     Codes all = codes;
     if (answers != 0) all["T_TRAIN_REF"] = r.asked(answers);
-    r.receive(NID_MESSAGE, all, packets ? packets() : BitList{});
+    r.receive(NID_MESSAGE, all, packets ? packets() : BitList{}, ahead);
   };
+}
+/// What is told beside the packets of `with_mode`.
+Ahead of(Mode area, double D_MAMODE) { return {.area = area, .D_MAMODE = D_MAMODE}; }
+/// A text that has to be acknowledged, for ever.
+BitList text() {
+  return one(76, {{"Q_TEXTCLASS", 1},
+                  {"Q_TEXTDISPLAY", 0},
+                  {"D_TEXTDISPLAY", 0},
+                  {"M_MODETEXTDISPLAY_START", 15},
+                  {"M_LEVELTEXTDISPLAY_START", 5},
+                  {"M_MODETEXTDISPLAY_END", 15},
+                  {"M_LEVELTEXTDISPLAY_END", 5},
+                  {"L_TEXTDISPLAY", 32767},
+                  {"T_TEXTDISPLAY", 1023},
+                  {"Q_TEXTCONFIRM", 1},
+                  {"Q_TEXT", 1}});
+}
+/// Level 0 or another one 200 m ahead, announced at once.
+BitList level_ahead(std::uint64_t M_LEVELTR) {
+  return one(41, {{"D_LEVELTR", 200}, {"M_LEVELTR", M_LEVELTR}, {"L_ACKLEVELTR", 300}});
 }
 Act all_of(std::vector<Act> acts) {
   return [acts = std::move(acts)](Runner& r) {
@@ -229,13 +253,23 @@ void add_radio(std::vector<Action>& a) {
   a.push_back({"train data acknowledged", message(8, {}, {}, 129)});
   a.push_back({"SR authorised", message(2, {}, {{"D_SR", 32767}})});
   a.push_back({"authority of the RBC", message(3, [] { return authority(15, 2000); })});
-  a.push_back({"authority, on sight now", message(3, [] { return with_mode(15, 0, 0); })});
-  a.push_back({"authority, limited supervision now", message(3, [] { return with_mode(15, 2, 0); })});
-  a.push_back({"authority, shunting now", message(3, [] { return with_mode(15, 1, 0); })});
-  a.push_back({"authority, on sight ahead", message(3, [] { return with_mode(15, 0, 200); })});
+  a.push_back({"authority, on sight now", message(
+                                              3, [] { return with_mode(15, 0, 0); }, {}, 0, of(Mode::OS, 0.0))});
+  a.push_back(
+      {"authority, limited supervision now", message(
+                                                 3, [] { return with_mode(15, 2, 0); }, {}, 0, of(Mode::LS, 0.0))});
+  a.push_back({"authority, shunting now", message(
+                                              3, [] { return with_mode(15, 1, 0); }, {}, 0, of(Mode::SH, 0.0))});
+  a.push_back({"authority, on sight ahead", message(
+                                                3, [] { return with_mode(15, 0, 200); }, {}, 0, of(Mode::OS, 200.0))});
   a.push_back({"exit from trip recognised", message(6)});
   a.push_back({"emergency stop", message(16, {}, {{"NID_EM", 1}})});
   a.push_back({"emergency stop revoked", message(18, {}, {{"NID_EM", 1}})});
+  a.push_back({"short authority of the RBC", message(3, [] { return authority(15, 150); })});
+  a.push_back({"RBC asks to shorten the authority", message(9, [] { return authority(15, 300); })});
+  a.push_back({"emergency stop ahead",
+               message(15, {}, {{"NID_EM", 2}, {"D_EMERGENCYSTOP", 300}}, 0, {.D_EMERGENCYSTOP = 300.0})});
+  a.push_back({"emergency stop ahead revoked", message(18, {}, {{"NID_EM", 2}})});
   a.push_back({"shunting refused", message(27, {}, {}, 130)});
   a.push_back({"shunting authorised", message(28, {}, {}, 130)});
   a.push_back({"termination acknowledged", message(39)});
@@ -250,16 +284,28 @@ void add_groups(std::vector<Action>& a) {
   a.push_back({"group", group([] { return BitList{}; })});
   a.push_back({"group that cannot be read", [](Runner& r) { r.pass({}, true); }});
   a.push_back({"authority of a group", group([] { return authority(12, 2000); })});
-  a.push_back({"group, on sight now", group([] { return with_mode(12, 0, 0); })});
-  a.push_back({"group, on sight ahead", group([] { return with_mode(12, 0, 200); })});
-  a.push_back({"group, limited supervision now", group([] { return with_mode(12, 2, 0); })});
-  a.push_back({"group, shunting now", group([] { return with_mode(12, 1, 0); })});
+  a.push_back({"group, on sight now", group([] { return with_mode(12, 0, 0); }, of(Mode::OS, 0.0))});
+  a.push_back({"group, on sight ahead", group([] { return with_mode(12, 0, 200); }, of(Mode::OS, 200.0))});
+  a.push_back({"group, limited supervision now", group([] { return with_mode(12, 2, 0); }, of(Mode::LS, 0.0))});
+  a.push_back({"group, shunting now", group([] { return with_mode(12, 1, 0); }, of(Mode::SH, 0.0))});
   a.push_back({"group, level 1 and authority", group([] { return level_1_with(authority(12, 2000)); })});
-  a.push_back({"group, level 1 and on sight", group([] { return level_1_with(with_mode(12, 0, 0)); })});
-  a.push_back({"group, level 1 and limited supervision", group([] { return level_1_with(with_mode(12, 2, 0)); })});
+  a.push_back(
+      {"group, level 1 and on sight", group([] { return level_1_with(with_mode(12, 0, 0)); }, of(Mode::OS, 0.0))});
+  a.push_back({"group, level 1 and limited supervision",
+               group([] { return level_1_with(with_mode(12, 2, 0)); }, of(Mode::LS, 0.0))});
   a.push_back(
       {"group ends shunting at the opening of the desk, desk opened",  // stored, not shown
        all_of({group([] { return one(135, {}); }), with([](port::Inputs& in) { in.train.desk_open = true; })})});
+  // The window begins 13 m beyond the group: it is entered, and left again by rolling back.
+  for (const auto& [name, M_MAMODE, mode] : std::initializer_list<std::tuple<const char*, std::uint64_t, Mode>>{
+           {"group, on sight ahead, acknowledged in its window", 0, Mode::OS},
+           {"group, limited supervision ahead, acknowledged in its window", 2, Mode::LS}})
+    a.push_back({name, all_of({group([M = M_MAMODE] { return with_mode(12, M, 100, 82); }, of(mode, 100.0)),
+                               moves(5.0, 20), [](Runner& r) { acknowledge(r, true); }})});
+  a.push_back({"short authority of a group", group([] { return authority(12, 150); })});
+  a.push_back({"text to be acknowledged", group(text)});
+  a.push_back({"group, level 0 ahead", group([] { return level_ahead(0); })});
+  a.push_back({"group, level 1 ahead", group([] { return level_ahead(2); })});
   a.push_back({"signal at danger", group([] { return one(12, {{"V_MAIN", 0}, {"L_ENDSECTION", 0}}); })});
   a.push_back({"danger for shunting", group([] { return one(132, {{"Q_ASPECT", 0}}); })});
   a.push_back({"stop if in SR", group([] { return one(137, {{"Q_SRSTOP", 0}}); })});

@@ -41,6 +41,8 @@ void print(SrsVersion srs, const Found& found) {
       "%s: %zu states, %zu expanded, %zu inputs, ways of up to %d, %zu ways on, %zu of %zu modes, %zu of %zu cells\n",
       name(srs), found.states, found.expanded, found.inputs, found.depth, found.ways_on, found.cycles.size(),
       found.modes.size(), seen(found.cells), found.cells.size());
+  for (std::size_t rule = 0; rule < found.applied.size(); ++rule)
+    std::printf("  %s: %llu\n", name(static_cast<Rule>(rule)), static_cast<unsigned long long>(found.applied[rule]));
   for (const auto& [cell, times] : found.cells)
     if (times == 0) std::printf("  not seen: %s to %s\n", cell.first.c_str(), cell.second.c_str());
 }

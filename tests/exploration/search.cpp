@@ -47,6 +47,9 @@ View view_of(const World& w) {
     flags = flags << 1 | (b ? 1u : 0u);
   v.push_back(flags);
   v.push_back(static_cast<std::uint64_t>(t.direction_controller));
+  // What the rules know of the trackside: an area that was not entered, and a stop that is not revoked.
+  v.push_back(w.known.area ? static_cast<std::uint64_t>(*w.known.area) + 1 : 0);
+  v.push_back(w.known.stops.size());
   v.push_back(consist_of(t));
   for (const Symbol s : o.symbols) v.push_back(static_cast<std::uint64_t>(s));
   for (const auto& s : o.sessions)
@@ -87,6 +90,7 @@ class Search {
     found_.cells = watch_.cells;
     found_.cycles = watch_.cycles;
     found_.modes = watch_.modes();
+    found_.applied = watch_.applied;
     return std::move(found_);
   }
 

@@ -21,6 +21,7 @@ struct Found {
   std::map<std::pair<std::string, std::string>, std::uint64_t> cells;
   std::map<std::string, std::uint64_t> cycles;  ///< of each mode that was visited
   std::vector<std::string> modes;               ///< of the edition
+  Applied applied{};                            ///< of each rule of rules.h
   std::vector<std::string> faults;              ///< each kind once, with the actions from power-up that lead to it
 };
 /// Prints the output line after each action of `way`, names with "; " between them.

@@ -105,6 +105,8 @@ void Runner::cycle() {
   kernel::step(w.state, *derived_, in, w.out);
   w.brakes.srs = w.state.srs;
   for (std::string& fault : brake_rules::look(w.brakes, in, w.out, true)) watch_.faults.push_back(std::move(fault));
+  w.known.srs = w.state.srs;
+  for (std::string& fault : look(w.known, in, w.out, watch_.applied)) watch_.faults.push_back(std::move(fault));
   // 4.4.6.1.6, 4.4.15.1.5, 4.4.20.1.10: the alarm is memorised as a fault.
   const bool memorises = w.out.mode == Mode::SL || w.out.mode == Mode::NL || w.out.mode == Mode::PS;
   w.failed = w.failed || (memorises && in.train.antenna_alarm);
@@ -124,13 +126,22 @@ void Runner::run(int cycles) {
   for (int i = 0; i < cycles; ++i) cycle();
 }
 
-void Runner::pass(const BitList& packets, bool spoiled) {
+void Runner::tell(const Ahead& ahead, double group_at) {
+  const double front = group_at - config_.train.L_antenna_front.si;  // the counter with the front end there
+  Told told{ahead.area, {{front + ahead.D_MAMODE}}, std::nullopt};
+  if (ahead.D_EMERGENCYSTOP) told.stop = OdometerPlace{{front + *ahead.D_EMERGENCYSTOP}};
+  world_->known.telling = told;
+}
+
+void Runner::pass(const BitList& packets, bool spoiled, const Ahead& ahead) {
   auto& o = inputs().odometry;
   const Speed before = o.V_est;
   if (o.V_est.si < kPassing) o.V_est = o.V_min = o.V_max = Speed{kPassing};
   cycle();
   const unsigned NID_BG = 100 + world_->groups++ % 16000;
   const double at = o.nominal.from_origin.si;
+  world_->groups_at[NID_BG] = at;
+  tell(ahead, at);
   world_->in.balises.push_back(
       {{spoiled ? std::vector<std::uint8_t>{} : telegram(NID_BG, 0, packets), spoiled ? 0u : 830u}, {{at}}, {}});
   do cycle();
@@ -139,9 +150,10 @@ void Runner::pass(const BitList& packets, bool spoiled) {
   run(2);
   o.V_est = o.V_min = o.V_max = before;
   run(2);
+  world_->known.telling.reset();
 }
 
-void Runner::receive(unsigned NID_MESSAGE, Codes codes, const BitList& packets) {
+void Runner::receive(unsigned NID_MESSAGE, Codes codes, const BitList& packets, const Ahead& ahead) {
   const auto& lrbg = world_->out.lrbg;
   codes.try_emplace("T_TRAIN", static_cast<std::uint64_t>(world_->in.t_ms / 10));
   codes.try_emplace("NID_LRBG", lrbg ? std::uint64_t{lrbg->NID_C} << 14 | lrbg->NID_BG : 0xFFFFFFu);
@@ -150,7 +162,10 @@ void Runner::receive(unsigned NID_MESSAGE, Codes codes, const BitList& packets) 
   if (layout == nullptr) layout = through_step::find_message("to_train", NID_MESSAGE, "2.3");
   m.bytes = through_step::message_bits(*layout, codes, packets).bytes();
   world_->in.radio.push_back(m);
+  const auto at = world_->groups_at.find(lrbg ? lrbg->NID_BG : 0u);
+  if (at != world_->groups_at.end()) tell(ahead, at->second);
   run(3);
+  world_->known.telling.reset();
 }
 
 std::uint64_t Runner::asked(unsigned NID_MESSAGE) const {

@@ -9,6 +9,7 @@
 #include "../through_step/reference.h"
 #include "kernel/evc.h"
 #include "kernel/state.h"
+#include "rules.h"
 #include "sim/cycle_inputs.h"
 
 // A unit with a driver, a train and a trackside that do what they are ordered, allowed or not.
@@ -30,6 +31,7 @@ class Watch {
 
   std::map<std::pair<std::string, std::string>, std::uint64_t> cells;  ///< of the table: from, to -> times seen
   std::map<std::string, std::uint64_t> cycles;                         ///< mode -> cycles in it
+  Applied applied{};                                                   ///< of each rule of rules.h
   std::vector<std::string> faults;                                     ///< of the last `look`s, without the way to it
 
  private:
@@ -46,6 +48,15 @@ struct World {
   bool failed = false;                       ///< SF is or may be entered (4.4.5; after SL, NL and PS later)
   bool calling = false;                      ///< a connection was asked for and is not answered
   brake_rules::Memory brakes{};
+  Known known{};
+  std::map<unsigned, double> groups_at{};  ///< NID_BG -> counter of the first balise
+};
+
+/// What a group or message tells that the rules of rules.h need: distances from the group, or from the LRBG.
+struct Ahead {
+  std::optional<Mode> area = {};
+  double D_MAMODE = 0.0;
+  std::optional<double> D_EMERGENCYSTOP = {};
 };
 
 /// Runs worlds. Its `Derived` is computed again for each (SRS: none; a restored State is used with an empty one).
@@ -63,10 +74,10 @@ class Runner {
   void cycle();
   void run(int cycles);
   /// A group of two balises under the antenna, the packets in the first one. A train that stands is moved over it.
-  void pass(const BitList& packets, bool spoiled = false);
+  void pass(const BitList& packets, bool spoiled = false, const Ahead& ahead = {});
   /// A message of the RBC that was called last, as version 2.1 has it, or 2.3 if only that does. `codes` beside T_TRAIN
   /// and NID_LRBG.
-  void receive(unsigned NID_MESSAGE, Codes codes = {}, const BitList& packets = {});
+  void receive(unsigned NID_MESSAGE, Codes codes = {}, const BitList& packets = {}, const Ahead& ahead = {});
   /// The T_TRAIN of the last message of the unit with this number, or 0.
   std::uint64_t asked(unsigned NID_MESSAGE) const;
 
@@ -76,6 +87,8 @@ class Runner {
 
  private:
   void advance();
+  /// From now on it is told, from a balise at this counter.
+  void tell(const Ahead& ahead, double group_at);
   kernel::Config config_;
   Watch& watch_;
   std::unique_ptr<kernel::Derived> derived_;
