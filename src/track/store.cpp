@@ -298,7 +298,6 @@ Stored store(Description& d, const AuthorityContents& c, const Here& here) {
   const Filing f{d, here, report};
   // All of it replaces what is stored: there is room for it.
   store_authority(f, c, std::nullopt, !has_authority(c) || complete(d, *c.ma, here), {});
-  if (holds_limited_supervision(c)) d.generic_ls_marker = false;
   if (matters_to_monitoring(c)) ++d.revision;
   return report;
 }

@@ -51,7 +51,8 @@ void forget_acceptance_ahead(Description& d, Mode mode, const Here& here);
 /// [3] train data not acknowledged), or none. Data that do not fit are noted; if they restrict the train, authority and
 /// track description end there (Stored::lost_from).
 Stored store(Description& d, const Contents& c, const Here& here, Clause refuse_ma = {});
-/// The same for an authority alone: the one that a request to shorten brings (3.8.6).
+/// The same for an authority alone: the one that a request to shorten brings (3.8.6); the marker of limited supervision
+/// stays (4.4.19.1.4.8).
 Stored store(Description& d, const AuthorityContents& c, const Here& here);
 
 }  // namespace evc::track

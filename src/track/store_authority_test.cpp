@@ -58,7 +58,7 @@ TEST(Store, AGrantedShorteningIsStoredAsContentsWithNothingElse) {  // 3.8.6
     EXPECT_EQ(d->ma, c.ma);
     EXPECT_EQ(d->mode_profile, c.mode_profile);
     EXPECT_EQ(d->ssp.steps.back().from, at(600)) << "A.3.4 f";
-    EXPECT_FALSE(d->generic_ls_marker);
+    EXPECT_EQ(d->generic_ls_marker, d == &alone) << "4.4.19.1.4.8";
     EXPECT_EQ(d->revision, 3u);
   }
 }

@@ -129,6 +129,8 @@ void store_contents(Evaluation& e) {
     track::hang_on_unlinked(e.contents);
     if (s.srs == SrsVersion::v4_0_0) track::overlap(s.track, e.contents, anchor, e.information.widening);
   }
+  // 4.4.19.1.4.8: balise groups alone have the marker; an area of limited supervision of another sender leaves it.
+  if (e.information.medium != Medium::balise && s.track.generic_ls_marker) e.contents.generic_ls_marker = true;
   const track::Stored stored = track::store(s.track, e.contents, out.here);
   if (anchor != Anchor::lrbg) track::relocate(s.track, Anchor::received, anchor, e.information.widening);
   // The acceptance of an area that is left is none for another one ahead.
