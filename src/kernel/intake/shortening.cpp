@@ -25,8 +25,12 @@ bool can_stop_before(const State& s, Derived::Curves& curves, const TrainSignals
   in.mrsp_due_to_TSR = {};
   curves.sdm.valid = false;
   (void)sdm::rebuild(curves.sdm, in);
+  // 3.8.6.1 b: in 3.4.0 too by the Indication limit; the pre-indication location depends on the MRSP, left out here.
+  curves.sdm.rules.pre_indication = false;
   sdm::Supervision fresh;
-  return sdm::supervise(fresh, curves.sdm, motion_of(s, here, train)).monitoring == Monitoring::CSM;
+  const bool in_rear = sdm::supervise(fresh, curves.sdm, motion_of(s, here, train)).monitoring == Monitoring::CSM;
+  curves.sdm.valid = false;
+  return in_rear;
 }
 
 bool proposal_is_described(Evaluation& e) {
