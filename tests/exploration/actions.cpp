@@ -267,8 +267,8 @@ void add_radio(std::vector<Action>& a) {
   a.push_back({"emergency stop revoked", message(18, {}, {{"NID_EM", 1}})});
   a.push_back({"short authority of the RBC", message(3, [] { return authority(15, 150); })});
   a.push_back({"RBC asks to shorten the authority", message(9, [] { return authority(15, 300); })});
-  a.push_back({"emergency stop ahead",
-               message(15, {}, {{"NID_EM", 2}, {"D_EMERGENCYSTOP", 300}}, 0, {.D_EMERGENCYSTOP = 300.0})});
+  a.push_back({"emergency stop ahead", message(15, {}, {{"NID_EM", 2}, {"Q_DIR", 1}, {"D_EMERGENCYSTOP", 300}}, 0,
+                                               {.D_EMERGENCYSTOP = 300.0})});
   a.push_back({"emergency stop ahead revoked", message(18, {}, {{"NID_EM", 2}})});
   a.push_back({"shunting refused", message(27, {}, {}, 130)});
   a.push_back({"shunting authorised", message(28, {}, {}, 130)});

@@ -26,6 +26,10 @@ constexpr std::array kFloors{
     Floor{SrsVersion::v4_0_0, 900, 11500, 143},
 };
 
+/// How often each rule is applied at least, in cycles, in the order of `Rule`.
+constexpr std::array<std::uint64_t, terms::index(Rule::count)> kApplied{1, 1, 1, 1, 1, 1, 1, 1, 1,
+                                                                        1, 1, 1, 1, 1, 1, 1, 1};
+
 std::size_t of_environment(const char* name, std::size_t usual) {
   const char* text = std::getenv(name);
   return text == nullptr ? usual : static_cast<std::size_t>(std::atoll(text));
@@ -59,6 +63,8 @@ TEST_P(Exploration, NoFaultAndEveryMode) {
   if (found.expanded < floor.expanded) return;  // a shorter search was ordered
   for (const std::string& mode : found.modes) EXPECT_TRUE(found.cycles.contains(mode)) << mode << " is not visited";
   EXPECT_GE(found.states, floor.states);
+  for (std::size_t rule = 0; rule < found.applied.size(); ++rule)
+    EXPECT_GE(found.applied[rule], kApplied[rule]) << name(static_cast<Rule>(rule));
   EXPECT_GE(seen(found.cells), floor.cells);
 }
 

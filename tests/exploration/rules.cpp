@@ -111,18 +111,21 @@ class Cycle {
   }
 
   void limits() {
-    const std::optional<Speed> order[] = {now_.V_P, now_.V_W, now_.V_SBI, now_.V_EBI};
-    std::optional<Speed> last;
-    for (const std::optional<Speed>& V : order) {
-      if (!V) continue;
-      if (last) apply(Rule::order_of_limits, *last <= *V + kRounding, "has limits in another order");
-      last = V;
-    }
+    // V_P and the SBI limit may be held where they are shown (3.13.10.4.8), the warning limit is not: no order of
+    // those.
+    const auto in_order = [this](const std::optional<Speed>& lower, const std::optional<Speed>& upper) {
+      if (lower && upper) apply(Rule::order_of_limits, *lower <= *upper + kRounding, "has limits in another order");
+    };
+    in_order(now_.V_P, now_.V_W);
+    in_order(now_.V_P, now_.V_SBI);
+    in_order(now_.V_W, now_.V_EBI);
+    in_order(now_.V_SBI, now_.V_EBI);
     if (now_.V_P && now_.V_MRSP)
       apply(Rule::order_of_limits, *now_.V_P <= *now_.V_MRSP + kRounding, "permits more than the MRSP");
     if (now_.V_EBI && now_.v > *now_.V_EBI + kRounding)
       apply(Rule::too_fast, now_.eb, "above the EBI limit without emergency brake");
-    if (now_.V_SBI && now_.v > *now_.V_SBI + kRounding)
+    // In AD the service brake is left to the automatic operation (3.13.10.3.3 of 4.0.0).
+    if (now_.V_SBI && now_.mode != Mode::AD && now_.v > *now_.V_SBI + kRounding)
       apply(Rule::too_fast, now_.eb || now_.sb, "above the SBI limit without a brake");
     if (!now_.V_P) return;
     // The default national values, and V_MAMODE and V_REVERSE of these worlds.
@@ -178,7 +181,9 @@ class Cycle {
   void movement() {
     const Speed V = in_.odometry.V_est;
     const Distance run = (V < Speed{} ? -V : V) * kCycle;
-    if (run == Distance{} || now_.mode != k_.mode || now_.eb || !forbidden()) {
+    const bool turned = (V < Speed{}) != k_.backward;
+    k_.backward = V < Speed{};
+    if (run == Distance{} || now_.mode != k_.mode || now_.eb || turned || !forbidden()) {
       k_.free_run = {};
       return;
     }

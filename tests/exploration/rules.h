@@ -79,7 +79,8 @@ struct Known {
   // Emergency stops that are not revoked; `stop`: the nearest place of one.
   std::vector<std::int32_t> stops;
   std::optional<OdometerPlace> stop;
-  Distance free_run;  ///< forbidden movement since standstill without a brake
+  bool backward = false;  ///< the train runs
+  Distance free_run;      ///< forbidden movement since standstill without a brake
   std::optional<StatusText> trip_reason;
   Set<Ack> requests;
   std::uint32_t signals = 0;  ///< of driver and train
