@@ -65,6 +65,17 @@ Act link(RadioLink what) {
     r.run(kAnswered);
   };
 }
+/// Up to 3 m beyond the EOA, whether braked or not, and stops there.
+void runs_to_end(Runner& r) {
+  constexpr double kBeyond = 3.0;
+  constexpr int kCycles = 600;
+  const auto left = [&r] {
+    const port::Outputs& out = r.world().out;
+    return out.EOA ? (*out.EOA - out.est_front).si + kBeyond : 0.0;
+  };
+  for (int i = 0; i < kCycles && left() > 0.0; ++i) moves(left() > 100.0 ? 40.0 : 5.0, 1)(r);
+  moves(0.0, 5)(r);
+}
 void enter_driver_id(Runner& r) {
   r.inputs().driver.driver_id = DriverId("1234");
   r.run(kAnswered);
@@ -173,6 +184,7 @@ void add_train(std::vector<Action>& a) {
   a.push_back({"drives at 5 m/s", moves(5.0, 20)});
   a.push_back({"drives at 40 m/s", moves(40.0, 20)});
   a.push_back({"rolls back", moves(-1.0, 40)});
+  a.push_back({"runs to the end of its authority", runs_to_end});
   a.push_back({"waits 5 s", with([](port::Inputs&) {}, 50)});
   a.push_back({"waits 70 s", with([](port::Inputs&) {}, 700)});
   a.push_back({"power off", with([](port::Inputs& in) { in.train.powered = false; })});
@@ -269,6 +281,10 @@ void add_radio(std::vector<Action>& a) {
   a.push_back({"RBC asks to shorten the authority", message(9, [] { return authority(15, 300); })});
   a.push_back({"emergency stop ahead", message(15, {}, {{"NID_EM", 2}, {"Q_DIR", 1}, {"D_EMERGENCYSTOP", 300}}, 0,
                                                {.D_EMERGENCYSTOP = 300.0})});
+  a.push_back({"authority of the RBC, emergency stop ahead",
+               all_of({message(3, [] { return authority(15, 2000); }),
+                       message(15, {}, {{"NID_EM", 2}, {"Q_DIR", 1}, {"D_EMERGENCYSTOP", 300}}, 0,
+                               {.D_EMERGENCYSTOP = 300.0})})});
   a.push_back({"emergency stop ahead revoked", message(18, {}, {{"NID_EM", 2}})});
   a.push_back({"shunting refused", message(27, {}, {}, 130)});
   a.push_back({"shunting authorised", message(28, {}, {}, 130)});
