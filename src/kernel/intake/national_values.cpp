@@ -129,7 +129,12 @@ void put_in_force(State& state, const train::NationalValues& values) {
 
 }  // namespace
 
-ReceivedNationalValues read(const lang::Packet3& p) {
+std::optional<Distance> start_of_validity(const lang::Packet3& p, std::uint8_t X) {
+  if (X == 1) return lang::metres(p.Q_SCALE, lang::var::D_VALIDNV_V1{p.D_VALIDNV.raw});
+  return lang::metres(p.Q_SCALE, p.D_VALIDNV);
+}
+
+ReceivedNationalValues read(const lang::Packet3& p, std::uint8_t X) {
   ReceivedNationalValues received;
   train::NationalValues& nv = received.set.values;
   take(nv.V_NVSHUNT, p.V_NVSHUNT);
@@ -156,8 +161,7 @@ ReceivedNationalValues read(const lang::Packet3& p) {
   nv.Q_NVEMRRLS = p.Q_NVEMRRLS.raw != 0;
   read_braking(p, nv);
 
-  const std::optional<Distance> D_VALIDNV = lang::metres(p.Q_SCALE, p.D_VALIDNV);
-  received.D_VALIDNV = D_VALIDNV;
+  received.D_VALIDNV = start_of_validity(p, X);
   bool room = received.set.areas.push_back(p.NID_C.raw);
   for (const auto& area : p.areas) room = room && received.set.areas.push_back(area.NID_C.raw);
   return received;

@@ -18,9 +18,12 @@ struct ReceivedNationalValues {
   std::optional<Distance> D_VALIDNV;
 };
 
-/// Packet 3 in SI. Correction factors that it does not contain (Q_NVKINT = 0, or no set for the train's brakes) have
-/// the defaults of A.3.2.
-ReceivedNationalValues read(const lang::Packet3& packet);
+/// Packet 3, sent in version X, in SI. Correction factors that it does not contain (Q_NVKINT = 0, or no set for the
+/// train's brakes) have the defaults of A.3.2.
+ReceivedNationalValues read(const lang::Packet3& packet, std::uint8_t X);
+/// D_VALIDNV of packet 3, sent in version X; absent: the values are valid at once. In X = 1 every code is a distance
+/// (6.5.1.5.26).
+std::optional<Distance> start_of_validity(const lang::Packet3& packet, std::uint8_t X);
 /// The values for braking curves of packet 203 in the message of a packet 3 of X = 1 (6.6.3.2.3 [16]); false: it
 /// has none ([2]).
 bool join_braking_curves(const Information& information, train::NationalValues& values);

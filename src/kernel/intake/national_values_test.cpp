@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "kernel/intake/test_message.h"
 #include "lang/packets/packet_203.h"
 #include "lang/packets/packet_3.h"
@@ -25,7 +27,7 @@ lang::Packet3 with_seven_steps(std::uint8_t lowest_at) {
 
 TEST(NationalValues, MoreStepsThanThereIsRoomForGiveTheLowestEverywhere) {  // 3.13.2.3.7.11
   for (const std::uint8_t lowest_at : {std::uint8_t{1}, std::uint8_t{6}}) {
-    const train::NationalValues nv = read(with_seven_steps(lowest_at)).set.values;
+    const train::NationalValues nv = read(with_seven_steps(lowest_at), 2).set.values;
     ASSERT_EQ(nv.Kr_int.size(), 1u);
     EXPECT_DOUBLE_EQ(nv.Kr_int.steps.front().value, 0.5);
     EXPECT_EQ(nv.Kr_int.steps.front().from, Distance{});
@@ -65,7 +67,7 @@ lang::Packet3 with_all_values() {
 }
 
 TEST(NationalValues, AreTheValuesOfThePacket) {  // 7.4.2.1, 7.5.1
-  const ReceivedNationalValues r = read(with_all_values());
+  const ReceivedNationalValues r = read(with_all_values(), 2);
   const train::NationalValues& nv = r.set.values;
   const auto kmh = [](double v) { return Speed{v / 3.6}; };
   EXPECT_EQ(nv.V_NVSHUNT, kmh(5.0));
@@ -100,11 +102,22 @@ TEST(NationalValues, InfiniteDistancesAndTimes) {  // 7.5.1.17, 7.5.1.18, 7.5.1.
   p.D_NVROLL.raw = 32767;
   p.D_NVSTFF.raw = 32767;
   p.T_NVCONTACT.raw = 255;
-  const ReceivedNationalValues r = read(p);
+  const ReceivedNationalValues r = read(p, 2);
   EXPECT_EQ(r.D_VALIDNV, std::nullopt);
   EXPECT_GE(r.set.values.D_NVROLL, Distance{1e9});
   EXPECT_EQ(r.set.values.D_NVSTFF, std::nullopt);
   EXPECT_EQ(r.set.values.T_NVCONTACT, std::nullopt);
+}
+
+TEST(NationalValues, InVersionOneEveryStartOfValidityIsADistance) {  // 6.5.1.5.26
+  lang::Packet3 p = with_all_values();
+  for (const std::uint16_t code : std::array<std::uint16_t, 3>{0, 500, 32767}) {
+    p.D_VALIDNV.raw = code;
+    EXPECT_EQ(read(p, 1).D_VALIDNV, Distance{static_cast<double>(code)});
+    p.Q_SCALE.raw = 2;
+    EXPECT_EQ(start_of_validity(p, 1), Distance{10.0 * code});
+    p.Q_SCALE.raw = 1;
+  }
 }
 
 TEST(NationalValues, EachPermissionIsItsOwnBit) {  // 7.5.1
@@ -116,8 +129,8 @@ TEST(NationalValues, EachPermissionIsItsOwnBit) {  // 7.5.1
     (on.*variable).raw = 1;
     for (bool NV::*each : {&NV::M_NVDERUN, &NV::Q_NVDRIVER_ADHES, &NV::Q_NVSBTSMPERM, &NV::Q_NVEMRRLS, &NV::Q_NVGUIPERM,
                            &NV::Q_NVSBFBPERM, &NV::Q_NVINHSMICPERM}) {
-      EXPECT_FALSE(read(off).set.values.*each);
-      EXPECT_EQ(read(on).set.values.*each, each == value);
+      EXPECT_FALSE(read(off, 2).set.values.*each);
+      EXPECT_EQ(read(on, 2).set.values.*each, each == value);
     }
   };
   check(&P::M_NVDERUN, &NV::M_NVDERUN);
@@ -135,12 +148,12 @@ TEST(NationalValues, MaximumDecelerationsThatAreNone) {  // 7.5.1.2
   p.A_NVMAXREDADH1.raw = 61;
   p.A_NVMAXREDADH2.raw = 62;
   p.A_NVMAXREDADH3.raw = 63;
-  const train::NationalValues nv = read(p).set.values;
+  const train::NationalValues nv = read(p, 2).set.values;
   EXPECT_EQ(nv.A_NVMAXREDADH1, MaxReducedAdhesion::without_maximum(MaxReducedAdhesion::Display::target_information));
   EXPECT_EQ(nv.A_NVMAXREDADH2, MaxReducedAdhesion::without_maximum(MaxReducedAdhesion::Display::time_to_indication));
   EXPECT_EQ(nv.A_NVMAXREDADH3, MaxReducedAdhesion::without_maximum(MaxReducedAdhesion::Display::none));
   p.A_NVMAXREDADH1.raw = 60;
-  EXPECT_EQ(read(p).set.values.A_NVMAXREDADH1, MaxReducedAdhesion::at_most({3.0}));
+  EXPECT_EQ(read(p, 2).set.values.A_NVMAXREDADH1, MaxReducedAdhesion::at_most({3.0}));
 }
 
 TEST(NationalValues, CorrectionFactorsOfBothSets) {  // 3.13.2.3.7, A.3.7, 7.5.1.50, 7.5.1.75
@@ -167,7 +180,7 @@ TEST(NationalValues, CorrectionFactorsOfBothSets) {  // 3.13.2.3.7, A.3.7, 7.5.1
   ASSERT_TRUE(p.kv_sets.push_back(freight));
   p.M_NVKRINT.raw = 18;
   p.M_NVKTINT.raw = 24;
-  const train::NationalValues nv = read(p).set.values;
+  const train::NationalValues nv = read(p, 2).set.values;
   EXPECT_EQ(nv.A_NVP12, Acceleration{0.5});
   EXPECT_EQ(nv.A_NVP23, Acceleration{1.0});
   ASSERT_EQ(nv.Kv_int_passenger.size(), 2u);
@@ -236,7 +249,7 @@ TEST_F(BrakingCurves, OfPacket203ReadAsThoseOfPacket3) {  // 6.6.3.2.3 [2], [16]
   add(in_packet_203(p));
   information.packets[0].sv = {1, 1};
   ASSERT_TRUE(join_braking_curves(information, values));
-  const train::NationalValues same = read(p).set.values;
+  const train::NationalValues same = read(p, 2).set.values;
   EXPECT_EQ(values.Q_NVGUIPERM, same.Q_NVGUIPERM);
   EXPECT_EQ(values.Q_NVSBFBPERM, same.Q_NVSBFBPERM);
   EXPECT_EQ(values.Q_NVINHSMICPERM, same.Q_NVINHSMICPERM);
@@ -259,7 +272,7 @@ TEST(NationalValues, CorrectionFactorsStayTheDefaultsWhereThePacketHasNone) {  /
   p.Q_NVKVINTSET.raw = 1;
   p.M_NVKVINT_A.raw = 40;
   p.M_NVKRINT.raw = 10;
-  const train::NationalValues nv = read(p).set.values;
+  const train::NationalValues nv = read(p, 2).set.values;
   const train::NationalValues defaults;
   EXPECT_EQ(nv.Kv_int_passenger, defaults.Kv_int_passenger);
   EXPECT_EQ(nv.Kr_int, defaults.Kr_int);
@@ -269,7 +282,7 @@ TEST(NationalValues, CorrectionFactorsStayTheDefaultsWhereThePacketHasNone) {  /
 TEST(NationalValues, StepsThatFindRoomStayAsTheyAre) {
   lang::Packet3 p = with_seven_steps(2);
   while (p.kr_steps.size() > 4) p.kr_steps.pop_back();
-  const train::NationalValues nv = read(p).set.values;
+  const train::NationalValues nv = read(p, 2).set.values;
   ASSERT_EQ(nv.Kr_int.size(), 5u);
   EXPECT_DOUBLE_EQ(nv.Kr_int.steps[0].value, 1.0);
   EXPECT_DOUBLE_EQ(nv.Kr_int.steps[2].value, 0.5);

@@ -51,7 +51,7 @@ void take_national_values(Evaluation& e, const lang::PacketView& view, Verdict) 
   State& s = e.r.state;
   lang::Packet3 p;
   if (lang::decode(view, p) != lang::Fault::none) return;
-  ReceivedNationalValues received = read(p);
+  ReceivedNationalValues received = read(p, view.sv.x);
   if (view.sv.x == 1) {
     received.set.of_X_2 = s.operated_X == 1;  // 6.6.3.2.3 [1a], [1b]
     received.set.braking = join_braking_curves(e.information, received.set.values);
@@ -170,7 +170,7 @@ evc::Information row_of_lssma(const lang::PacketView& view) {
 bool always(const lang::PacketView&) { return true; }
 bool from_a_place(const lang::PacketView& view) {
   lang::Packet3 p;
-  return lang::decode(view, p) != lang::Fault::none || lang::metres(p.Q_SCALE, p.D_VALIDNV).has_value();
+  return lang::decode(view, p) != lang::Fault::none || start_of_validity(p, view.sv.x).has_value();
 }
 bool at_a_border(const lang::PacketView& view) {
   lang::Packet41 p;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "kernel/intake/national_values.h"
 #include "kernel/intake/test_message.h"
 #include "lang/packets/packet_131.h"
 #include "lang/packets/packet_140.h"
@@ -114,14 +115,15 @@ TEST_F(Taken, NationalValuesOfX1LeaveWhatTheyDoNotContain) {  // 6.6.3.2.3 [1a],
     state.national_values.Q_NVLOCACC = {33.0};
     state.national_values.M_NVEBCL = 3;
     lang::Packet3_v1_0 p;
-    p.D_VALIDNV.raw = 32767;
     p.V_NVSTFF.raw = 5;
     EXPECT_TRUE(p.areas.push_back({lang::var::NID_C{1}}));
     information.packets.clear();
     add(p);
     information.packets[0].sv = {1, 1};
     evaluate_now();
-    EXPECT_TRUE(happened(What::national_values_in_force));
+    EXPECT_FALSE(happened(What::national_values_in_force)) << "D_VALIDNV of X = 1 is a distance";
+    ASSERT_TRUE(state.pending_national_values.has_value());
+    use_national_values(state, state.pending_national_values->set);
     EXPECT_EQ(state.national_values.V_NVSTFF, Speed{25.0 / 3.6});
     EXPECT_EQ(state.national_values.Q_NVLOCACC, operated == 1 ? defaults.Q_NVLOCACC : Distance{33.0});
     EXPECT_EQ(state.national_values.M_NVEBCL, 3);

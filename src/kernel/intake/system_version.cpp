@@ -2,10 +2,10 @@
 
 #include "kernel/intake/filter.h"
 #include "kernel/intake/levels.h"
+#include "kernel/intake/national_values.h"
 #include "lang/decode.h"
 #include "lang/packets/packet_2.h"
 #include "lang/packets/packet_3.h"
-#include "lang/si.h"
 #include "modes/active_functions.h"
 #include "terms/packet_numbers.h"
 
@@ -70,7 +70,7 @@ bool differs_from_own_values(const Evaluation& e, bool differs) {
     lang::Packet3 p;
     if (view.NID_PACKET != packet::national_values || !judged(e, i) || lang::decode(view, p) != lang::Fault::none)
       continue;
-    const bool at_once = !lang::metres(p.Q_SCALE, p.D_VALIDNV);
+    const bool at_once = !start_of_validity(p, view.sv.x);
     if (!at_once || modes::accept(evc::Information::national_values, e.context).verdict != modes::Verdict::accepted)
       continue;
     differs = p.NID_C.raw != e.information.group.NID_C;
