@@ -3,8 +3,8 @@
 namespace evc::position {
 namespace {
 
-/// The range of L_TRAININT (7.5.1.58).
-constexpr Distance kLongestReported{32766.0};
+/// The range of L_TRAININT, 32767 m, less half a step of D_LRBG, from which it counts (7.5.1.57).
+constexpr Distance kLongestReported{32762.0};
 
 /// 3.6.5.2.4: without a valid position against an LRBG, or without a length, nothing can be confirmed.
 bool can_confirm(const State& state, const IntegrityFacts& facts) {

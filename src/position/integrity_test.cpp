@@ -127,10 +127,10 @@ TEST_F(TrainIntegrityStatus, WhatMakesAConfirmationOutdated) {
   EXPECT_EQ(status.integrity, Integrity::none);
   facts.train_data_valid = true;
   by_device();
-  run_to(1000 + 32766 - 206);
+  run_to(1000 + 32762 - 206);
   (void)cycle();
   EXPECT_EQ(status.integrity, Integrity::by_device);
-  run_to(1000 + 32766 - 205 + 1);  // 9
+  run_to(1000 + 32762 - 205 + 1);  // 9
   (void)cycle();
   EXPECT_EQ(status.integrity, Integrity::none);
   by_device();

@@ -36,7 +36,8 @@ std::uint8_t finest_scale(Distance longest) {
   return 2;
 }
 
-void put_place(Report& out, const PlaceInterval& at, const Reference& reference) {
+/// The estimated front end as it is reported: D_LRBG from the reference.
+Place put_place(Report& out, const PlaceInterval& at, const Reference& reference) {
   const Distance ahead = at.est - reference.place;
   const Distance away = ahead.si < 0 ? -ahead : ahead;
   Distance longest = away;
@@ -44,13 +45,14 @@ void put_place(Report& out, const PlaceInterval& at, const Reference& reference)
   if (at.max - at.est > longest) longest = at.max - at.est;
   out.Q_SCALE = finest_scale(longest);
   const double steps = in_steps(away, out.Q_SCALE);
-  if (steps > kLargest) return;  // too far to be reported: D_LRBG and the doubts stay unknown
+  if (steps > kLargest) return at.est;  // too far to be reported: D_LRBG and the doubts stay unknown
   const auto nearest = static_cast<std::uint16_t>(steps + 0.5);
   out.D_LRBG = nearest;
   const Distance reported = from_steps(nearest, out.Q_SCALE);
   const Place est = reference.place + (ahead.si < 0 ? -reported : reported);
   out.L_DOUBTOVER = length_code(in_steps(est - at.min, out.Q_SCALE));
   out.L_DOUBTUNDER = length_code(in_steps(at.max - est, out.Q_SCALE));
+  return est;
 }
 
 void put_directions(Report& out, const State& state, Place est_front, const Reference& reference) {
@@ -76,14 +78,17 @@ Report report(const State& state, const IntegrityStatus& integrity, const Ahead&
   const std::uint32_t V = up(five_km_h < 0 ? -five_km_h : five_km_h);
   out.V_TRAIN = static_cast<std::uint8_t>(V > 120 ? 120 : V);
   out.Q_LENGTH = static_cast<std::uint8_t>(integrity.integrity);
-  if (integrity.integrity == Integrity::by_device || integrity.integrity == Integrity::by_driver)
-    out.L_TRAININT = length_code((at.est - integrity.min_safe_rear).si);
-  const Reference* reference = lrbg(state);
+  Place est = at.est;
   // 3.6.2.2.2.1; an invalid position is reported with its values during start of mission.
-  if (reference == nullptr || state.status == DataStatus::unknown) return out;
-  out.NID_LRBG = wire(reference->id);
-  put_directions(out, state, at.est, *reference);
-  put_place(out, at, *reference);
+  const Reference* reference = state.status == DataStatus::unknown ? nullptr : lrbg(state);
+  if (reference != nullptr) {
+    out.NID_LRBG = wire(reference->id);
+    put_directions(out, state, at.est, *reference);
+    est = put_place(out, at, *reference);
+  }
+  // Counted from the front end that is reported (7.5.1.57): its rounding, up to 5 m, must not shorten the train.
+  if (integrity.integrity == Integrity::by_device || integrity.integrity == Integrity::by_driver)
+    out.L_TRAININT = length_code((est - integrity.min_safe_rear).si);
   return out;
 }
 

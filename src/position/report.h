@@ -33,7 +33,7 @@ struct Report {
 
 /// The report of the current position. D_LRBG is rounded to the nearest step of the finest scale that fits; the
 /// rounding is added to the doubts, which are rounded up: the reported interval contains the supervised one. V_TRAIN
-/// and L_TRAININT are rounded up.
+/// is rounded up, and L_TRAININT, which counts from the rounded place (7.5.1.57).
 /// `ahead`: of the engine, the front end that is reported.
 Report report(const State& state, const IntegrityStatus& integrity, const Ahead& ahead);
 inline Report report(const State& state, const IntegrityStatus& integrity) {

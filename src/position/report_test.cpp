@@ -129,6 +129,20 @@ TEST(Report, IntegrityCountsFromTheLastTimeItWasConfirmed) {
   EXPECT_EQ(report(s, {Integrity::by_driver, Place{99.5_m}, {}}).L_TRAININT, 401);
 }
 
+TEST(Report, IntegrityCountsFromTheReportedPlace) {  // 7.5.1.57
+  for (const double run : {500.07, 4000.4, 4000.6, 40001.0, 40004.9, 40005.1, 49999.0}) {
+    const State s = after(run);
+    const Place rear{99.5_m};
+    const Report r = report(s, {Integrity::by_device, rear, {}});
+    ASSERT_TRUE(r.L_TRAININT) << run;
+    if (*r.L_TRAININT == kUnknownLength) continue;
+    const double step = r.Q_SCALE == 0 ? 0.1 : r.Q_SCALE == 1 ? 1.0 : 10.0;
+    const double front = (lrbg(s)->place - Place{}).si + step * r.D_LRBG;
+    EXPECT_LE(front - *r.L_TRAININT, 99.5 + 1e-6) << run << ": the reported rear end is not ahead of the safe one";
+    EXPECT_GT(front - *r.L_TRAININT, 98.5 - 1e-6) << run;
+  }
+}
+
 // 3.4.2.3.3: single balise groups.
 State single_after(std::uint16_t NID_BG, bool back_between) {
   State s = after(100);
