@@ -17,7 +17,8 @@ void confirm(IntegrityStatus& status, Integrity by, const State& state, const In
   status = {by, rear(state, facts.L_TRAIN).min, facts.L_TRAIN};
 }
 
-/// Conditions 7, 8, 9, 10 of Table 2c.
+/// Conditions 7, 8, 9, 10 of Table 2c. It has them for a confirmation by an external source, as that of the driver is
+/// reported at once; while the connection is lost the train can run back meanwhile, or get longer.
 bool outdated(const IntegrityStatus& status, const State& state, const IntegrityFacts& facts) {
   const bool length = facts.train_data_valid ? facts.length_acknowledged : facts.consist_known;
   return !length || facts.turned || facts.L_TRAIN != status.L_TRAIN || motion(state) == Motion::backward ||
@@ -43,8 +44,12 @@ IntegrityEvents supervise(IntegrityStatus& status, const State& state, const Int
       else if (by_device)
         confirm(status, Integrity::by_device, state, facts);
       break;
-    case Integrity::by_driver:
-      break;  // until it is reported
+    case Integrity::by_driver:  // until it is reported: at once, or when the connection is back
+      if (by_driver)
+        confirm(status, Integrity::by_driver, state, facts);
+      else if (outdated(status, state, facts))
+        status = {};
+      break;
     case Integrity::by_device:
       if (lost)
         status.integrity = Integrity::lost;

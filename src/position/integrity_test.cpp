@@ -58,6 +58,26 @@ TEST_F(TrainIntegrityStatus, ByTheDriverUntilItIsReported) {
   EXPECT_EQ(status.integrity, Integrity::none);
 }
 
+TEST_F(TrainIntegrityStatus, ByTheDriverAndNotReportedUntilTheTrainRunsBackOrIsAnotherOne) {
+  const auto by_driver = [&] {
+    facts.driver_confirms = true;
+    EXPECT_TRUE(cycle().confirmed_by_driver);
+    facts.driver_confirms = false;
+  };
+  by_driver();
+  run_to(1100);
+  by_driver();
+  EXPECT_EQ(status.min_safe_rear.from_origin.si, 1100 - 5 - 200) << "the last time counts";
+  run_to(1090);  // 8
+  (void)cycle();
+  EXPECT_EQ(status.integrity, Integrity::none);
+  run_to(1100);
+  by_driver();
+  facts.L_TRAIN = 201_m;  // 7
+  (void)cycle();
+  EXPECT_EQ(status.integrity, Integrity::none);
+}
+
 TEST_F(TrainIntegrityStatus, ByADeviceTheLastTimeCounts) {
   facts.device = TrainIntegrity::confirmed;
   EXPECT_FALSE(cycle().confirmed_by_driver);
