@@ -21,6 +21,11 @@ void delete_what_was_ahead(State& s) {
   track::turn(s.track);
 }
 
+/// The confirmed length begins at the min safe rear end of the former orientation (3.6.5.2.4), not of that of now.
+void forget_confirmed_length(position::IntegrityStatus& status) {
+  if (status.integrity != position::Integrity::lost) status = {};
+}
+
 /// The announcement of a loop stays (4.10): its messages count for the other direction now (3.6.3.1.1 c), in which
 /// another signal is ahead.
 void turn(AnnouncedLoop& loop) {
@@ -37,6 +42,7 @@ void turn(AnnouncedLoop& loop) {
 void turn_train(State& s) {
   delete_what_was_ahead(s);
   position::turn(s.position);
+  forget_confirmed_length(s.integrity);
   s.handover = {};
   if (s.loop) turn(*s.loop);
   protection::turn(s.guards);
@@ -57,6 +63,7 @@ void follow_cab(State& s, const TrainSignals& train, Log log) {
   if (train.desk_open && train.cab != s.cab) {
     delete_what_was_ahead(s);
     see_from_other_cab(s, train.cab);
+    forget_confirmed_length(s.integrity);
     s.handover = {};  // its order is deleted (4.10), and the border lies behind; each RBC ends its own session
     if (s.loop) turn(*s.loop);
     protection::turn(s.guards);
