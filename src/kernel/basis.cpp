@@ -51,6 +51,9 @@ bool level_1_at(const State& s, const std::optional<Place>& EOA) {
   return s.level.level == Level::L1;
 }
 
+/// MRSP and gradient are taken from the min safe rear end on; so far behind that place they are taken anew.
+constexpr Distance kTakenAnew{5.0};
+
 /// The inputs of the release speed calculated on board other than stored data, in steps of 5 m and 0.5 m/s, so that
 /// curves are not built again for every millimetre (3.13.9.4.8.2).
 std::uint32_t inaccuracy(const State& s, const track::Here& here) {
@@ -117,7 +120,9 @@ bool renew_basis(State& s, const TrainSignals& train, const track::Here& here) {
                                   .level_1_at_EOA = level_1_at(s, s.basis.authority.EOA),
                                   .inaccuracy = inaccuracy(s, here),
                                   .mode_limit = mode_speed(s, here)};
-  if (s.basis.number != 0 && s.basis.key == key) return false;
+  // A.3.6.2.1.1: after a reverse movement the limits are those of the track that is under the train then.
+  const bool ran_back = here.min_safe_rear < s.basis.min_safe_rear - kTakenAnew;
+  if (s.basis.number != 0 && s.basis.key == key && !ran_back) return false;
   track::Authority authority;
   if (supervises(s, modes::Supervision::full))
     authority = track::authority(s.track, interfaces_of(s.train), s.mode, here.est_front, s.srs);
