@@ -19,7 +19,7 @@ bool waits(Mode mode, const OrderedLevel& to, SrsVersion srs) {
 /// The pending transition ends, and an acknowledgement given ahead of it: it counts for no other (5.10.4.1.3).
 void drop_pending(State& state) {
   state.pending.reset();
-  state.acknowledged = false;
+  state.acknowledged = state.asked_ahead = false;
 }
 
 /// The transition is executed in this cycle.
@@ -57,12 +57,13 @@ void take(State& state, const Inputs& in, const Order& order, const modes::Order
   if (decision.cancels_pending && state.pending.has_value()) {
     state.pending.reset();
     out.cancelled = !same;
-    if (!same) state.acknowledged = false;
+    if (!same) state.acknowledged = state.asked_ahead = false;
   }
   if (decision.effect == OrderEffect::announce) {
     state.pending = modes::PendingTransition{decision.to, order.border, order.anchor};
     // 5.10.4.1.3: where the place of the acknowledgement lies ahead, the driver is asked there again.
-    if (!modes::in_acknowledgement_length(*state.pending, in.max_safe_front)) state.acknowledged = false;
+    if (!modes::in_acknowledgement_length(*state.pending, in.max_safe_front))
+      state.acknowledged = state.asked_ahead = false;
   } else if (decision.effect == OrderEffect::execute) {
     execute(state, in, decision.to, out);
     if (order.placed) out.border = order.border;
@@ -73,9 +74,11 @@ void take(State& state, const Inputs& in, const Order& order, const modes::Order
 void ask(State& state, const Inputs& in, const OrderedLevel& current, Result& out) {
   // 5.10.4.1.2 of 4.0.0: in SB only at the transition; 3.x does not say.
   const bool only_at_change = in.srs == SrsVersion::v4_0_0 && in.mode == Mode::SB;
-  const bool ahead = state.pending.has_value() && !state.acknowledged && !only_at_change &&
-                     modes::acknowledgement_needed(current, state.pending->to, in.mode, in.srs) &&
-                     modes::in_acknowledgement_length(*state.pending, in.max_safe_front);
+  const bool needed = state.pending.has_value() && !only_at_change &&
+                      modes::acknowledgement_needed(current, state.pending->to, in.mode, in.srs);
+  // Once shown, the request stays, also where the place at which it began lies ahead again (A.3.5.1).
+  if (needed && modes::in_acknowledgement_length(*state.pending, in.max_safe_front)) state.asked_ahead = true;
+  const bool ahead = needed && state.asked_ahead && !state.acknowledged;
   if (in.acknowledged && state.shown) {  // only an acknowledgement that was asked for counts
     if (state.unacknowledged)
       state.unacknowledged = false;

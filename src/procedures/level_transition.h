@@ -37,6 +37,7 @@ struct State {
   std::optional<AnnouncedTable> announced_table;
   bool shown = false;           // the acknowledgement is asked for
   bool acknowledged = false;    // the pending transition is acknowledged already
+  bool asked_ahead = false;     // its acknowledgement was asked for ahead of it
   bool unacknowledged = false;  // a transition was executed and is not acknowledged yet
   Level unacknowledged_level = Level::L0;
   Duration deadline{};              // T_ACK after the transition

@@ -84,6 +84,22 @@ TEST(LevelTransition, Acknowledged_ahead) {
   for (int i = 0; i < 10; ++i) EXPECT_FALSE(b.cycle(1020.0).overdue.has_value());
 }
 
+TEST(LevelTransition, The_request_ahead_is_not_taken_back) {  // A.3.5.1
+  Border b(level(Level::L2), Mode::FS);
+  b.give(OrderKind::announcement, level(Level::NTC, 1), 1000.0);
+  EXPECT_TRUE(b.cycle(689.0).effects.requests.empty());
+  EXPECT_EQ(b.cycle(690.0).effects.requests, Set<Ack>{Ack::level});
+  EXPECT_EQ(b.cycle(600.0).effects.requests, Set<Ack>{Ack::level});
+  // It is for this transition: not for one farther on, nor for another one.
+  b.give(OrderKind::announcement, level(Level::NTC, 1), 1010.0);
+  EXPECT_TRUE(b.cycle(600.0).effects.requests.empty());
+  EXPECT_EQ(b.cycle(700.0).effects.requests, Set<Ack>{Ack::level});
+  b.give(OrderKind::announcement, level(Level::L0), 1100.0);
+  EXPECT_TRUE(b.cycle(600.0).effects.requests.empty());
+  EXPECT_TRUE(b.cycle(789.0).effects.requests.empty());
+  EXPECT_EQ(b.cycle(790.0).effects.requests, Set<Ack>{Ack::level});
+}
+
 TEST(LevelTransition, Not_acknowledged_brakes_after_5_s) {
   Border b(level(Level::L2), Mode::FS);
   b.give(OrderKind::immediate, level(Level::L0));
