@@ -117,7 +117,7 @@ TEST(Override, Goes_on_in_SR_UN_and_SN_only) {
     const Mode to = static_cast<Mode>(m);
     Overriding o(Mode::UN);
     o.select();
-    override_::on_mode_change(o.state, Mode::UN, to);
+    override_::on_mode_change(o.state, to);
     EXPECT_EQ(o.state.active, to == Mode::SR || to == Mode::UN || to == Mode::SN) << name(to);
   }
 }

@@ -78,10 +78,11 @@ Result step(State& state, const Inputs& in) {
   return out;
 }
 
-void on_mode_change(State& state, Mode from, Mode to) {
+void on_mode_change(State& state, Mode to) {
   // 5.8.4.1 i: TR, LS, OS and SH end it. The other modes have no override (4.5.2): entering SB, FS, NL, ... ends it.
   if (to != Mode::SR && to != Mode::UN && to != Mode::SN) state.active = false;
-  if (from == Mode::SR) forget_former_eoa(state);
+  // It is of the SR that override leads to: not of a later one, where a trip came with the selection.
+  if (to != Mode::SR) forget_former_eoa(state);
 }
 
 }  // namespace evc::procedures::override_

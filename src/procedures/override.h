@@ -59,7 +59,7 @@ struct Result {
 /// odometer.
 Result step(State& state, const Inputs& inputs);
 
-/// To be called at every mode transition: TR, LS, OS, SH end override (5.8.4.1 i); leaving SR deletes the former EOA.
-void on_mode_change(State& state, Mode from, Mode to);
+/// To be called at every mode transition: TR, LS, OS, SH end override (5.8.4.1 i); all but SR delete the former EOA.
+void on_mode_change(State& state, Mode to);
 
 }  // namespace evc::procedures::override_

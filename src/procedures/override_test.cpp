@@ -30,7 +30,7 @@ struct Driver {
   override_::Result select() {
     in.selected = true;
     const override_::Result out = cycle();
-    override_::on_mode_change(state, in.mode, Mode::SR);
+    override_::on_mode_change(state, Mode::SR);
     in.mode = Mode::SR;
     return out;
   }
@@ -163,9 +163,22 @@ TEST(Override, The_former_EOA_goes_with_a_stop_or_with_SR) {
   EXPECT_FALSE(d.state.former_eoa.has_value());
   Driver e;
   e.select();
-  override_::on_mode_change(e.state, Mode::SR, Mode::SB);
+  override_::on_mode_change(e.state, Mode::SB);
   EXPECT_FALSE(e.state.former_eoa.has_value());
   EXPECT_FALSE(e.state.active);
+}
+
+TEST(Override, A_trip_that_comes_with_the_selection_deletes_the_former_EOA) {
+  Driver d;
+  d.in.selected = true;
+  d.cycle();
+  EXPECT_EQ(d.state.former_eoa, at(100.0));
+  override_::on_mode_change(d.state, Mode::TR);
+  override_::on_mode_change(d.state, Mode::PT);
+  override_::on_mode_change(d.state, Mode::SR);
+  d.in.mode = Mode::SR;
+  d.in.min_safe_antenna = at(101.0);
+  EXPECT_FALSE(d.cycle().former_eoa_passed);
 }
 
 TEST(Override, Selected_again_it_starts_again) {
@@ -182,14 +195,14 @@ TEST(Override, Mode_changes_end_it) {
   for (const Mode to : {Mode::TR, Mode::LS, Mode::OS, Mode::SH}) {
     Driver d;
     d.select();
-    override_::on_mode_change(d.state, Mode::SR, to);
+    override_::on_mode_change(d.state, to);
     EXPECT_FALSE(d.state.active) << name(to);
   }
   Driver d;
   d.in.mode = Mode::SN;
   d.in.selected = true;
   d.cycle();
-  override_::on_mode_change(d.state, Mode::SN, Mode::SR);
+  override_::on_mode_change(d.state, Mode::SR);
   EXPECT_TRUE(d.state.active);
 }
 

@@ -50,7 +50,7 @@ void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log)
   ++s.revision;
   procedures::level_transition::on_mode_change(s.level_transition, from, to, s.srs);
   procedures::mode_profile::on_mode_change(s.mode_profile, to, number, s.now);
-  procedures::override_::on_mode_change(s.override_, from, to);
+  procedures::override_::on_mode_change(s.override_, to);
   if (!s.level_transition.pending) clear_level_buffer(s);
   if (!supervises_authority(to)) s.shorten_at_standstill = false;
   brakes::on_mode_entry(s.brakes, to, from);
