@@ -201,6 +201,14 @@ std::size_t compose_manoeuvre_request(const State& s, const NationalSystem& nati
   return radio::compose(intent, position_report(s, report), t, unit, s.radio.session(intent.to).M_VERSION, bytes);
 }
 
+/// 3.16.3.4.5 b: a reaction that has begun goes on to standstill where the supervision stops meanwhile, as in a radio
+/// hole.
+void shorten_for_contact(State& s, bool due, const track::Here& here, Log log) {
+  const bool stopped = here.standstill && s.radio.contact_lost && s.brakes.active.has(brakes::Cause::T_NVCONTACT);
+  if ((due || stopped) && shorten(s, track::Situation::i_radio_contact_lost, here.max_safe_front, here))
+    log.note({.what = What::track_description_shortened, .clause = "3.16.3.4.5"_srs});
+}
+
 }  // namespace
 
 RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, const Decided& decided,
@@ -259,11 +267,7 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   if (r.session_established) log.note({.what = What::session_established, .clause = "3.5.3.7"_srs});
   if (r.session_lost) log.note({.what = What::session_lost, .clause = "3.5.4"_srs});
   out.asked.add(brakes::Cause::T_NVCONTACT, r.service_brake);
-  // 3.16.3.4.5 b: a reaction that has begun goes on to standstill where the supervision stops meanwhile, as in a radio
-  // hole.
-  const bool stopped = here.standstill && s.radio.contact_lost && s.brakes.active.has(brakes::Cause::T_NVCONTACT);
-  if ((r.shorten || stopped) && shorten(s, track::Situation::i_radio_contact_lost, here.max_safe_front, here))
-    log.note({.what = What::track_description_shortened, .clause = "3.16.3.4.5"_srs});
+  shorten_for_contact(s, r.shorten, here, log);
   return out;
 }
 
