@@ -83,6 +83,17 @@ TEST_F(Basis, IsRenewedOnlyWhenSomethingChanged) {  // 3.13.2
   EXPECT_TRUE(renewed());
 }
 
+TEST_F(Basis, Is_renewed_where_the_train_has_run_back) {  // A.3.6.2.1.1
+  here.min_safe_rear = at(800.0);
+  EXPECT_FALSE(renewed());
+  here.min_safe_rear = at(785.0);
+  EXPECT_FALSE(renewed());
+  here.min_safe_rear = at(784.9);
+  EXPECT_TRUE(renewed());
+  EXPECT_EQ(state.basis.min_safe_rear, at(784.9));
+  EXPECT_FALSE(renewed());
+}
+
 TEST_F(Basis, NumberZeroIsForNoCurves) {
   state.basis.number = 0xFFFFFFFF;
   ++state.revision;
@@ -106,6 +117,43 @@ TEST_F(Basis, IsRenewedWithEachSpecialBrake) {  // 3.13.2.2.6
   // All together are another one than any of them.
   for (bool T::*each : brakes) train.*each = true;
   EXPECT_TRUE(renewed());
+}
+
+TEST_F(Basis, Has_the_speed_of_the_slowest_area_under_the_train_or_the_nearest_ahead) {  // 3.11.7.1.1, 3.12.4.5-6
+  state.national_values.V_NVONSIGHT = kmh(30.0);
+  const auto put = [&](double from, double to, track::SpeedCode V) {
+    track::ModeArea a;
+    a.mode = Mode::OS;
+    a.from = at(from);
+    a.to = at(to);
+    a.V_MAMODE = V;
+    a.accepted = true;
+    EXPECT_TRUE(state.track.mode_profile.push_back(a));
+  };
+  put(600.0, 800.0, 4);
+  put(800.0, 1000.0, 12);
+  state.mode = Mode::OS;
+  const auto from = [&](double est) -> std::optional<Place> {
+    here.est_front = at(est);
+    here.min_safe_front = at(est - 5.0);
+    here.max_safe_front = at(est + 5.0);
+    const auto area = area_of_mode(state, here);
+    return area ? std::optional(area->from) : std::nullopt;
+  };
+  EXPECT_EQ(from(500.0), at(600.0)) << "accepted ahead of both";
+  EXPECT_EQ(from(700.0), at(600.0));
+  EXPECT_EQ(from(804.0), at(600.0)) << "not left by the min safe front end";
+  EXPECT_EQ(from(806.0), at(800.0));
+  EXPECT_EQ(from(1006.0), std::nullopt);
+  state.track.mode_profile[0].V_MAMODE = 12;
+  state.track.mode_profile[1].V_MAMODE = track::kNoSpeed;
+  EXPECT_EQ(from(794.0), at(600.0)) << "not reached by the max safe front end";
+  EXPECT_EQ(from(796.0), at(800.0)) << "the national speed";
+  for (track::ModeArea& a : state.track.mode_profile) a.accepted = false;
+  EXPECT_EQ(from(500.0), std::nullopt);
+  EXPECT_EQ(from(700.0), at(600.0));
+  state.mode = Mode::LS;
+  EXPECT_EQ(from(700.0), std::nullopt);
 }
 
 TEST_F(Basis, HasThePositionOfTheMoment) {  // 3.13.9.4.8.2

@@ -396,17 +396,6 @@ TEST(Texts, One_that_ended_is_marked_as_such) {
 
 TEST(Services, The_highest_speed_of_the_language_is_no_limit) { EXPECT_EQ(kNoLimit, Speed{600 / 3.6}); }
 
-TEST(Services, Of_two_mode_areas_from_one_place_on_the_later_one_is_due) {
-  Description d;
-  ModeArea area;
-  area.from = at(100);
-  area.mode = Mode::OS;
-  ASSERT_TRUE(d.mode_profile.push_back(area));
-  area.mode = Mode::LS;
-  ASSERT_TRUE(d.mode_profile.push_back(area));
-  EXPECT_EQ(area_due(d, front_at(200))->mode, Mode::LS);
-}
-
 TEST(Services, An_area_is_accepted_from_its_window_or_its_start_on) {
   for (const double start : {100.0, 105.0, 105.1}) {
     Description d;

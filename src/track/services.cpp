@@ -111,16 +111,6 @@ Authority authority(const Description& d, const TrainInterfaces& train, Mode mod
   return with(temporary, *d.ma, srs);
 }
 
-std::optional<ModeArea> area_due(const Description& d, const Here& here) {
-  std::optional<ModeArea> due;
-  for (const ModeArea& area : d.mode_profile) {
-    const bool begun = area.accepted || here.max_safe_front >= area.from;
-    const bool left = area.mode != Mode::SH && area.to && here.min_safe_front > *area.to;
-    if (begun && !left && (!due || area.from >= due->from)) due = area;
-  }
-  return due;
-}
-
 void accept_area(Description& d, Mode mode, const Here& here) {
   for (ModeArea& area : d.mode_profile)
     if (area.mode == mode && (here.est_front >= area.ack_from || here.max_safe_front >= area.from) && !area.accepted) {

@@ -58,9 +58,6 @@ Authority authority(const Description& d, const TrainInterfaces& train, Mode mod
 Authority authority(const MovementAuthority& ma, std::span<const ModeArea> profile, Mode mode,
                     SrsVersion srs = SrsVersion::v3_6_0);
 
-/// The area whose mode is due: max safe front end beyond its start, or accepted, and min safe front end not beyond its
-/// end; the farthest such area. Absent: none (3.12.4.5-6).
-std::optional<ModeArea> area_due(const Description& d, const Here& here);
 /// The driver acknowledged, or the area was entered: its start is no longer a temporary EOA.
 void accept_area(Description& d, Mode mode, const Here& here);
 

@@ -141,22 +141,6 @@ TEST(Suitability, ByKind) {
   EXPECT_TRUE(unsuitable(traction, train)) << "what is not understood closes";
 }
 
-TEST(Areas, DueWithTheMaxSafeFrontEnd) {  // 3.12.4.5-6
-  Description d;
-  put_area(d, 600, 800, Mode::OS);
-  put_area(d, 700, 900, Mode::LS);
-  EXPECT_FALSE(area_due(d, front_at(594)));
-  EXPECT_EQ(area_due(d, front_at(595))->mode, Mode::OS);
-  EXPECT_EQ(area_due(d, front_at(695))->mode, Mode::LS) << "the farthest one";
-  EXPECT_EQ(area_due(d, front_at(905))->mode, Mode::LS);
-  EXPECT_FALSE(area_due(d, front_at(906)));
-  d.mode_profile.clear();
-  put_area(d, 600, 700, Mode::SH);
-  EXPECT_TRUE(area_due(d, front_at(5000))) << "a shunting area has no end";
-  d.mode_profile[0].accepted = true;
-  EXPECT_TRUE(area_due(d, front_at(0)));
-}
-
 TEST(Areas, AcceptedFromTheAcknowledgementWindowOn) {
   Description d;
   put_area(d, 600, 800, Mode::OS);
