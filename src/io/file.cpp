@@ -1,6 +1,7 @@
 #include "io/file.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -83,6 +84,43 @@ bool status_of(const std::string& file, struct stat& status) {
   return (file == "-" ? ::fstat(1, &status) : ::stat(file.c_str(), &status)) == 0;
 }
 
+/// How long a pipe with a name (FIFO) may be without anybody at its other end. A stream (`Lines`) waits for who feeds
+/// it.
+constexpr int kPatience_ms = 3000;
+
+/// Opens a file, or a pipe with a name that has somebody at its other end within kPatience_ms: without it `open` waits
+/// for ever. Null: the reason is in errno, EPIPE for such a pipe.
+std::FILE* open_or_give_up(const std::string& file, const char* mode) {
+  constexpr int kAgain_ms = 20;
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0 || !S_ISFIFO(status.st_mode)) return std::fopen(file.c_str(), mode);
+  const bool reading = mode[0] == 'r';
+  const int flags = (reading ? O_RDONLY : O_WRONLY) | O_NONBLOCK | O_CLOEXEC;
+  int descriptor = ::open(file.c_str(), flags);
+  // Opened for writing it says at once that nobody reads.
+  for (int waited = 0; !reading && descriptor < 0 && errno == ENXIO && waited < kPatience_ms; waited += kAgain_ms) {
+    (void)::poll(nullptr, 0, kAgain_ms);
+    descriptor = ::open(file.c_str(), flags);
+  }
+  if (descriptor < 0 && errno == ENXIO) errno = EPIPE;
+  if (descriptor < 0) return nullptr;
+  // Opened for reading it has an end, as long as nobody writes; a writer without anything yet makes it wait.
+  pollfd pipe{descriptor, POLLIN, 0};
+  const bool silent = reading && ::poll(&pipe, 1, kPatience_ms) == 0;
+  char first = 0;
+  const ssize_t got = silent ? ::read(descriptor, &first, 1) : 1;
+  (void)::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  std::FILE* const stream = got == 0 ? nullptr : ::fdopen(descriptor, mode);
+  if (stream == nullptr) {
+    const int error = got == 0 ? EPIPE : errno;
+    ::close(descriptor);
+    errno = error;
+    return nullptr;
+  }
+  if (silent && got == 1) (void)std::ungetc(static_cast<unsigned char>(first), stream);
+  return stream;
+}
+
 /// For more than `most` bytes.
 Diagnostic too_large(const std::string& file, std::string where, const char* what, std::size_t most) {
   return {file, std::move(where), what + std::to_string(most) + " bytes", "at most " + std::to_string(most)};
@@ -95,7 +133,9 @@ Result<std::string> read_text(const std::string& file, std::size_t most) {
   std::error_code ignored;
   if (!standard && std::filesystem::is_directory(file, ignored))
     return tl::unexpected(Diagnostic{file, "", "a directory", "a file that can be read"});
-  std::FILE* stream = standard ? stdin : std::fopen(file.c_str(), "rb");
+  std::FILE* stream = standard ? stdin : open_or_give_up(file, "rb");
+  if (stream == nullptr && errno == EPIPE)
+    return tl::unexpected(Diagnostic{file, "", "a pipe that nobody writes into", "a file that can be read"});
   if (stream == nullptr) return tl::unexpected(system_error_at(file, "a file that can be read"));
   std::string text;
   char block[65536];
@@ -160,7 +200,9 @@ Result<WholeFile> WholeFile::create(const std::string& file) {
   if (exists && std::filesystem::is_directory(status))
     return tl::unexpected(Diagnostic{file, "", "a directory", "a file that can be written"});
   if (exists && !std::filesystem::is_regular_file(status)) {
-    std::FILE* device = std::fopen(file.c_str(), "wb");
+    std::FILE* device = open_or_give_up(file, "wb");
+    if (device == nullptr && errno == EPIPE)
+      return tl::unexpected(Diagnostic{file, "", "a pipe that nobody reads from", "a file that can be written"});
     if (device == nullptr) return tl::unexpected(system_error_at(file, "a file that can be written"));
     return WholeFile(file, "", device);
   }

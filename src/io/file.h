@@ -15,7 +15,7 @@ inline constexpr std::size_t kLargestDocument = std::size_t{64} << 20;
 inline constexpr std::size_t kLargestStream = std::size_t{4} << 30;
 inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 
-/// The whole text of a file, or of standard input for "-"; an error when it has more than `most` bytes.
+/// The whole text of a file, or of standard input for "-". Errors: more than `most` bytes; a pipe without a writer.
 Result<std::string> read_text(const std::string& file, std::size_t most = kLargestDocument);
 
 /// The error for line `number` of a file when it is longer than kLongestLine.
@@ -46,7 +46,7 @@ inline constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 void delete_unfinished_files() noexcept;
 
 /// A file that gets its name only when it is complete: written next to it under a temporary name
-/// and renamed by `commit`. Without `commit` nothing remains. "-" is standard output.
+/// and renamed by `commit`. Without `commit` nothing remains. "-" is standard output. A pipe needs a reader.
 class WholeFile {
  public:
   static Result<WholeFile> create(const std::string& file);

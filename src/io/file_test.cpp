@@ -1,6 +1,12 @@
 #include "io/file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
 
 #include "io/input_stream.h"
 #include "io/program_test.h"
@@ -19,6 +25,52 @@ TEST(ReadText, AFileBeyondTheLimitIsAnError) {
   const auto endless = read_text("/dev/zero", 1 << 20);
   ASSERT_FALSE(endless);
   EXPECT_NE(endless.error().text().find("expected at most 1048576"), std::string::npos);
+}
+
+TEST(ReadText, APipeThatNobodyWritesIntoIsAnError) {
+  const Folder folder("silent");
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const auto refused = read_text(pipe);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().text(), pipe + ": found a pipe that nobody writes into, expected a file that can be read");
+  const auto unread = WholeFile::create(pipe);
+  ASSERT_FALSE(unread);
+  EXPECT_EQ(unread.error().text(), pipe + ": found a pipe that nobody reads from, expected a file that can be written");
+}
+
+TEST(ReadText, APipeWithAWriterIsReadHoweverSlowItIs) {
+  const Folder folder("slow");
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const int descriptor = ::open(pipe.c_str(), O_WRONLY);
+    std::this_thread::sleep_for(std::chrono::milliseconds(3500));
+    EXPECT_EQ(::write(descriptor, "ab", 2), 2);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    EXPECT_EQ(::write(descriptor, "c", 1), 1);
+    ::close(descriptor);
+  });
+  const auto text = read_text(pipe);
+  writer.join();
+  ASSERT_TRUE(text) << text.error().text();
+  EXPECT_EQ(*text, "abc");
+}
+
+TEST(WholeFile, APipeIsWrittenWhenAReaderComes) {
+  const Folder folder("reader");
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::string read;
+  std::thread reader([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    read = *read_text(pipe);
+  });
+  const std::string text(200000, 'x');  // more than a pipe holds
+  EXPECT_TRUE(write_whole(pipe, text));
+  reader.join();
+  EXPECT_EQ(read, text);
 }
 
 /// The lines of a text, and the error that ended them.

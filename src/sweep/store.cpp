@@ -283,11 +283,11 @@ io::Result<std::unique_ptr<Store>> Store::open(const std::string& file, Open how
   const bool there = how != Open::in_memory && std::filesystem::exists(file, error);
   if (there && std::filesystem::is_directory(file, error))
     return tl::unexpected(io::Diagnostic{file, "", "a directory", "a file that can be written"});
-  if (there && how == Open::created)
-    return tl::unexpected(io::Diagnostic{file, "", "a file", "a new name, or --resume to go on with it"});
   // SQLite would take a device for an empty database, and leave files beside it.
   if (there && !std::filesystem::is_regular_file(file, error))
     return tl::unexpected(io::Diagnostic{file, "", "a device or pipe", "a file that can be written"});
+  if (there && how == Open::created)
+    return tl::unexpected(io::Diagnostic{file, "", "a file", "a new name, or --resume to go on with it"});
   // Why a file cannot be made: SQLite tries again without writing, and then knows that there is none.
   if (how != Open::in_memory && !there)
     if (const auto can_be = io::WholeFile::create(file); !can_be) return tl::unexpected(can_be.error());
@@ -325,8 +325,15 @@ io::Result<std::unique_ptr<Store>> Store::read(const std::string& file) {
   auto d = std::make_unique<Database>();
   d->file = file;
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    return tl::unexpected(io::Diagnostic{file, "", "no file", "results of evc sweep"});
+  if (!std::filesystem::is_regular_file(file, error)) {
+    const bool there = std::filesystem::exists(file, error);
+    const bool folder = std::filesystem::is_directory(file, error);
+    return tl::unexpected(io::Diagnostic{file, "",
+                                         folder  ? "a directory"
+                                         : there ? "a device or pipe"
+                                                 : "no file",
+                                         "results of evc sweep"});
+  }
   // Of a sweep that was killed the log beside the file must be read in: that is writing.
   if (const auto opened = d->open(SQLITE_OPEN_READWRITE); !opened) return tl::unexpected(opened.error());
   if (const auto header = d->read_header(); !header) return tl::unexpected(header.error());

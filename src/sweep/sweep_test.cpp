@@ -429,6 +429,11 @@ TEST_F(Program, refusals_are_one_sentence_and_lose_nothing) {
   const Ended again = ended("sweep " + spec + " -o " + file("r.sqlite"));
   EXPECT_EQ(again.exit_code, 2);
   EXPECT_NE(again.errors.find("found a file, expected a new name, or --resume"), std::string::npos);
+  for (const char* resume : {"", " --resume"})
+    EXPECT_EQ(ended("sweep " + spec + " -o /dev/null" + resume).errors,
+              "/dev/null: found a device or pipe, expected a file that can be written\n");
+  EXPECT_EQ(ended("sweep hash /dev/null").errors, "/dev/null: found a device or pipe, expected results of evc sweep\n");
+  EXPECT_EQ(ended("sweep hash /").errors, "/: found a directory, expected results of evc sweep\n");
   const std::string other = write("other.json", curves_spec(51));
   EXPECT_EQ(ended("sweep " + other + " --resume -o " + file("r.sqlite")).exit_code, 2);
   EXPECT_EQ(hash("r.sqlite"), before);
