@@ -140,7 +140,7 @@ class Ranks(programs.InFolder):
                 (f"sweep {self.folder}/absent.json -o {results}", "absent.json: found No such file or directory"),
                 (f"sweep {good} -o {self.folder}/absent/r.sqlite", "found No such file or directory"),
                 (f"sweep {good} -o -", "evc-mpi sweep: -o: found standard output"),
-                (f"sweep {good} -j 0 -o {results}", "evc-mpi sweep: --threads: found 0"),
+                (f"sweep {good} -j 0 -o {results}", "evc-mpi sweep: -j: found 0"),
                 ("sweep", "evc-mpi sweep: found no description"),
                 ("run", 'evc-mpi: found "run", expected one of sweep')):
             said = run(*mpirun(3), "sh", "-c", f'"{EVC_MPI}" {arguments}; echo "status $?"')
