@@ -176,27 +176,47 @@ struct Taken {
 void names_at_curves(Drawing& drawing, const Picture& p, const Axis& x, const Axis& y, const Layout& l) {
   constexpr double kSize = 11.5, kMargin = 8.0;
   std::vector<Taken> taken;
+  if (p.V_release_kmh && p.start_of_RSM_m) {
+    const double from = std::max(*p.start_of_RSM_m, p.from_m), to = std::min(p.end_of_RSM_m, p.to_m);
+    const std::string name = "V_release " + label(std::nearbyint(*p.V_release_kmh * 100.0) / 100.0) + " km/h";
+    const double half = kCharacter * static_cast<double>(name.size()) / 2.0;
+    taken.push_back({std::min(x.at((from + to) / 2.0), l.right - half - kMargin), y.at(*p.V_release_kmh) + 14.0, half});
+    drawing.name(taken.back().x, taken.back().y + 4.0, name, kSize, colour::grey);
+  }
+  // The points beside a name as well: a line may end there.
+  const auto beside = [&](std::size_t i, double half) {
+    const double reach = half + kMargin;
+    std::size_t from = i, to = i;
+    while (from > 0 && x.at(p.x_m[from - 1]) > x.at(p.x_m[i]) - reach) --from;
+    while (to + 1 < p.x_m.size() && x.at(p.x_m[to + 1]) < x.at(p.x_m[i]) + reach) ++to;
+    return std::pair{from, to};
+  };
   const auto room_at = [&](const PictureCurve& own, std::size_t i, double half) {
     const double at_x = x.at(p.x_m[i]), at_y = y.at(own.v[i]);
     if (at_x < kLeft + half + kMargin || at_x > l.right - half - kMargin) return -1.0;
     if (at_y < l.top + 3.0 * kMarkRow || at_y > l.bottom - kMargin) return -1.0;
     double room = 60.0;  // more is no better
-    for (const PictureCurve& other : p.curves) {
-      if (&other == &own || !std::isfinite(other.v[i])) continue;
-      room = std::min(room, std::abs(y.at(other.v[i]) - at_y));
-    }
+    const auto [from, to] = beside(i, half);
+    for (const PictureCurve& other : p.curves)
+      for (std::size_t k = from; &other != &own && k <= to; ++k)
+        if (std::isfinite(other.v[k])) room = std::min(room, std::abs(y.at(other.v[k]) - at_y));
     for (const Taken& t : taken)
       if (std::abs(t.x - at_x) < t.half_width + half + kMargin) room = std::min(room, std::abs(t.y - at_y) - kSize);
     return room;
+  };
+  const auto whole = [&](const PictureCurve& own, std::size_t i, double half) {
+    const auto [from, to] = beside(i, half);
+    return std::all_of(own.v.begin() + static_cast<std::ptrdiff_t>(from),
+                       own.v.begin() + static_cast<std::ptrdiff_t>(to) + 1, [](double v) { return std::isfinite(v); });
   };
   for (const PictureCurve& c : p.curves) {
     const double half = 4.2 * static_cast<double>(c.key.size());
     std::size_t best = 0;
     double most = -1.0;
     // Not at the end of a line, where the name would be next to it, unless the line is short.
-    for (const std::size_t inside : {std::size_t{6}, std::size_t{0}}) {
-      for (std::size_t i = inside; i + inside < p.x_m.size() && (inside > 0 || most < 0.0); ++i)
-        if (std::isfinite(c.v[i - inside]) && std::isfinite(c.v[i]) && std::isfinite(c.v[i + inside]))
+    for (const bool inside : {true, false}) {
+      for (std::size_t i = 0; i < p.x_m.size() && (inside || most < 0.0); ++i)
+        if (std::isfinite(c.v[i]) && (!inside || whole(c, i, half)))
           if (const double room = room_at(c, i, half); room > most + 1e-9) {
             most = room;
             best = i;
@@ -206,12 +226,6 @@ void names_at_curves(Drawing& drawing, const Picture& p, const Axis& x, const Ax
     taken.push_back({x.at(p.x_m[best]), y.at(c.v[best]), half});
     drawing.name(taken.back().x, taken.back().y + 4.0, c.key, kSize, c.stroke.colour);
   }
-  if (!p.V_release_kmh || !p.start_of_RSM_m) return;
-  const double from = std::max(*p.start_of_RSM_m, p.from_m), to = std::min(p.end_of_RSM_m, p.to_m);
-  const std::string name = "V_release " + label(std::nearbyint(*p.V_release_kmh * 100.0) / 100.0) + " km/h";
-  const double half = kCharacter * static_cast<double>(name.size()) / 2.0;
-  drawing.name(std::min(x.at((from + to) / 2.0), l.right - half - kMargin), y.at(*p.V_release_kmh) + 18.0, name, kSize,
-               colour::grey);
 }
 
 std::string subtitle(const Approached& a) {
