@@ -139,7 +139,7 @@ Act message(unsigned NID_MESSAGE, std::function<BitList()> packets = {}, Codes c
     r.receive(NID_MESSAGE, all, packets ? packets() : BitList{}, ahead);
   };
 }
-/// What is told beside the packets of `with_mode`.
+/// What a group or message has beside the packets of `with_mode`.
 Ahead of(Mode area, double D_MAMODE) { return {.area = area, .D_MAMODE = D_MAMODE}; }
 /// A text that has to be acknowledged, for ever.
 BitList text() {

@@ -59,7 +59,7 @@ inline constexpr auto kRuleRows = std::to_array<terms::Row<Rule>>({
 static_assert(terms::in_order(kRuleRows) && kRuleRows.size() == terms::index(Rule::count));
 constexpr const char* name(Rule rule) { return kRuleRows[terms::index(rule)].name; }
 
-/// What a group or message tells beside its packets: places as the counter of the front end there (Outputs::EOA).
+/// What a group or message has beside its packets: places as the counter of the front end there (Outputs::EOA).
 struct Told {
   std::optional<Mode> area;           ///< the mode of the area of its mode profile
   OdometerPlace begin;                ///< of that area

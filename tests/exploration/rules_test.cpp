@@ -1,4 +1,4 @@
-// Each rule of rules.h tells the fault that it is there for, and only that one.
+// Each rule of rules.h returns the fault that it is there for, and only that one.
 #include "rules.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ struct Unit {
     ASSERT_EQ(faults.size(), 1u) << name(rule);
     EXPECT_EQ(faults[0].rfind(std::string(name(rule)) + ": ", 0), 0u) << faults[0];
   }
-  /// Stands in a mode without an authority.
+  /// At standstill in a mode without an authority.
   void stands_in(Mode mode) {
     out.mode = mode;
     out.EOA = {};

@@ -47,7 +47,7 @@ View view_of(const World& w) {
     flags = flags << 1 | (b ? 1u : 0u);
   v.push_back(flags);
   v.push_back(static_cast<std::uint64_t>(t.direction_controller));
-  // What the rules know of the trackside: an area that was not entered, and a stop that is not revoked.
+  // What the rules keep from trackside: an area that was not entered, and a stop that is not revoked.
   v.push_back(w.known.area ? static_cast<std::uint64_t>(*w.known.area) + 1 : 0);
   v.push_back(w.known.stops.size());
   v.push_back(consist_of(t));

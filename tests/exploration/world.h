@@ -52,7 +52,7 @@ struct World {
   std::map<unsigned, double> groups_at{};  ///< NID_BG -> counter of the first balise
 };
 
-/// What a group or message tells that the rules of rules.h need: distances from the group, or from the LRBG.
+/// What a group or message has that the rules of rules.h need: distances from the group, or from the LRBG.
 struct Ahead {
   std::optional<Mode> area = {};
   double D_MAMODE = 0.0;
@@ -87,7 +87,7 @@ class Runner {
 
  private:
   void advance();
-  /// From now on it is told, from a balise at this counter.
+  /// From now on this comes from trackside, from a balise at this counter.
   void tell(const Ahead& ahead, double group_at);
   kernel::Config config_;
   Watch& watch_;

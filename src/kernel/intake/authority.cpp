@@ -120,6 +120,13 @@ void evaluate_authority(Evaluation& e) {
   if (!authority) tell_without_authority(e);
 }
 
+namespace {
+/// 4.4.19.1.4.8: balise groups alone have the marker; an area of limited supervision of another sender leaves it.
+void keep_marker_of_groups(Evaluation& e) {
+  if (e.information.medium != Medium::balise && e.r.state.track.generic_ls_marker) e.contents.generic_ls_marker = true;
+}
+}  // namespace
+
 void store_contents(Evaluation& e) {
   Received& out = e.r.out;
   State& s = e.r.state;
@@ -129,8 +136,7 @@ void store_contents(Evaluation& e) {
     track::hang_on_unlinked(e.contents);
     if (s.srs == SrsVersion::v4_0_0) track::overlap(s.track, e.contents, anchor, e.information.widening);
   }
-  // 4.4.19.1.4.8: balise groups alone have the marker; an area of limited supervision of another sender leaves it.
-  if (e.information.medium != Medium::balise && s.track.generic_ls_marker) e.contents.generic_ls_marker = true;
+  keep_marker_of_groups(e);
   const track::Stored stored = track::store(s.track, e.contents, out.here);
   if (anchor != Anchor::lrbg) track::relocate(s.track, Anchor::received, anchor, e.information.widening);
   // The acceptance of an area that is left is none for another one ahead.
