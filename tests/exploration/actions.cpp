@@ -68,7 +68,7 @@ Act link(RadioLink what) {
 /// Up to 3 m beyond the EOA, whether braked or not, and stops there.
 void runs_to_end(Runner& r) {
   constexpr double kBeyond = 3.0;
-  constexpr int kCycles = 600;
+  constexpr int kCycles = 800;
   const auto left = [&r] {
     const port::Outputs& out = r.world().out;
     return out.EOA ? (*out.EOA - out.est_front).si + kBeyond : 0.0;

@@ -21,14 +21,15 @@ struct Floor {
   std::size_t states = 0, cells = 0;
 };
 constexpr std::array kFloors{
-    Floor{SrsVersion::v3_4_0, 1200, 13000, 121},
-    Floor{SrsVersion::v3_6_0, 1200, 13000, 121},
-    Floor{SrsVersion::v4_0_0, 900, 11500, 143},
+    Floor{SrsVersion::v3_4_0, 1200, 14800, 121},
+    Floor{SrsVersion::v3_6_0, 1200, 14800, 121},
+    Floor{SrsVersion::v4_0_0, 900, 12900, 143},
 };
 
 /// How often each rule is applied at least, in cycles, in the order of `Rule`.
-constexpr std::array<std::uint64_t, terms::index(Rule::count)> kApplied{1, 1, 1, 1, 1, 1, 1, 1, 1,
-                                                                        1, 1, 1, 1, 1, 1, 1, 1};
+constexpr std::array<std::uint64_t, terms::index(Rule::count)> kApplied{
+    20'000,  2,       20,     5,         1'500'000, 300'000, 300'000, 50,   3'000'000,
+    250'000, 500'000, 25'000, 1'500'000, 1'500'000, 300'000, 120'000, 1'000};
 
 std::size_t of_environment(const char* name, std::size_t usual) {
   const char* text = std::getenv(name);
