@@ -6,6 +6,10 @@
 namespace evc::kernel {
 namespace {
 
+/// When the train has moved back behind the place where the curves begin, they begin this far behind its rear end: they
+/// are not built again for every step back.
+constexpr Distance kBehindMovedBack{20.0};
+
 /// The speed limit of the mode (3.11.7); absent: the mode has none.
 std::optional<Speed> mode_speed(const State& s, const track::Here& here) {
   const train::NationalValues& nv = s.national_values;
@@ -50,9 +54,6 @@ bool level_1_at(const State& s, const std::optional<Place>& EOA) {
   if (pending && EOA && pending->border <= *EOA) return pending->to.level == Level::L1;
   return s.level.level == Level::L1;
 }
-
-/// MRSP and gradient are taken from the min safe rear end on; so far behind that place they are taken anew.
-constexpr Distance kTakenAnew{5.0};
 
 /// The inputs of the release speed calculated on board other than stored data, in steps of 5 m and 0.5 m/s, so that
 /// curves are not built again for every millimetre (3.13.9.4.8.2).
@@ -120,13 +121,14 @@ bool renew_basis(State& s, const TrainSignals& train, const track::Here& here) {
                                   .level_1_at_EOA = level_1_at(s, s.basis.authority.EOA),
                                   .inaccuracy = inaccuracy(s, here),
                                   .mode_limit = mode_speed(s, here)};
-  // A.3.6.2.1.1: after a reverse movement the limits are those of the track that is under the train then.
-  const bool ran_back = here.min_safe_rear < s.basis.min_safe_rear - kTakenAnew;
-  if (s.basis.number != 0 && s.basis.key == key && !ran_back) return false;
+  // What is stored of the track behind the train counts again for a train that moves back (A.3.6.2.1).
+  const bool moved_back = s.basis.number != 0 && here.min_safe_rear < s.basis.min_safe_rear;
+  if (s.basis.number != 0 && s.basis.key == key && !moved_back) return false;
   track::Authority authority;
   if (supervises(s, modes::Supervision::full))
     authority = track::authority(s.track, interfaces_of(s.train), s.mode, here.est_front, s.srs);
   s.basis = basis_of(s, here, key, authority);
+  if (moved_back) s.basis.min_safe_rear = s.basis.min_safe_rear - kBehindMovedBack;
   return true;
 }
 
