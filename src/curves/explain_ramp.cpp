@@ -229,9 +229,8 @@ void explain_T_be_reduced(ExplainPage& page, const Approached& a, const sdm::Exp
   const sdm::Derived& d = a.derived();
   const sdm::Target& target = a.target();
   const train::BuildUpTimes& b = e.build_up;
-  if (times.T_traction >= b.T_be || b.T_be_react.si <= 0.0) {
-    page.step("T_be_reduced", b.T_be_react.si <= 0.0 ? "T_be: no reaction time is known" : "T_be: T_traction >= T_be",
-              "", times.T_be.si, "s", "A.3.12.1");
+  if (times.T_traction >= b.T_be) {
+    page.step("T_be_reduced", "T_be: T_traction >= T_be", "", times.T_be.si, "s", "A.3.12.1");
     return;
   }
   const bool available = d.time_config.service_brake_available;

@@ -20,10 +20,8 @@ Ramp emergency_ramp(const Derived& d, const train::BuildUpTimes& b, const Approa
           .T_traction_max = T_traction(c, c.service_brake_available ? b.T_bs_react : Duration{0.0}, d.fixed),
           .T_traction_min = T_traction(c, c.service_brake_available ? b.T_bs : Duration{0.0}, d.fixed)};
 }
-/// A.3.12.1.5, and no reaction time (Kt_int = 0, or not given).
-bool never_reduced(const train::BuildUpTimes& b, const Times& unreduced) {
-  return b.T_be_react.si <= 0.0 || unreduced.T_traction >= b.T_be;
-}
+/// A.3.12.1.5; and A.3.12.1.4, as T_be is 0 with a Kt_int of 0.
+bool never_reduced(const train::BuildUpTimes& b, const Times& unreduced) { return unreduced.T_traction >= b.T_be; }
 
 void aim(Ramp& r, const Target& target) {
   r.stop = target.kind == TargetKind::EOA_SvL || target.kind == TargetKind::SR_end;

@@ -200,8 +200,8 @@ struct Model {
     return model_reduced(r);
   }
   double T_be(const ModelTimes& unreduced) const {
-    // No reaction time: Kt_int = 0 (A.3.12.1.4), or unknown.
-    if (!s.reduces || !fronts.has_value() || full.T_be_react.si == 0.0) return full.T_be.si;
+    // T_be = 0: Kt_int = 0 (A.3.12.1.4).
+    if (!s.reduces || !fronts.has_value() || full.T_be.si == 0.0) return full.T_be.si;
     if (unreduced.traction >= full.T_be.si) return full.T_be.si;
     ModelRamp r{full.T_be.si, full.T_be_react.si, V + V0, t.V_target.si, stop};
     r.a1 = std::max(A_est, 0.0);
@@ -742,7 +742,7 @@ TEST(ReferenceLimits, FullBuildUpAsFarAsTheStrongestBrakeTells) {
       return std::min(V1, std::max(0.0, v0 + a1 * cut + a2 * (2.0 * T - react - cut) - A * (T - react)));
     };
     double expected = kInfinite;
-    if (b.T_be_react.si > 0.0 && unreduced.T_traction < b.T_be && b.T_be > b.T_be_react)
+    if (unreduced.T_traction < b.T_be && b.T_be > b.T_be_react)
       expected = end_of_ramp(V + V0, a.A_est1.si, a.A_est2.si, b.T_be.si, b.T_be_react.si, Tx,
                              d->decelerations.highest_safe.si);
     if (!s.feedback && b.T_bs > b.T_bs_react)

@@ -57,7 +57,7 @@ struct ServiceModel {
   BrakeSet with = 0;
   friend constexpr bool operator==(const ServiceModel&, const ServiceModel&) = default;
 };
-/// Equivalent build-up time, 3.13.2.2.3.2, and (4.0.0) reaction time, with the special brakes `with`.
+/// Build-up time, 3.13.2.2.3.2, and (4.0.0) reaction time (T_brake: is not reduced), with the special brakes `with`.
 struct BuildUpTime {
   Duration T_brake{};
   Duration T_brake_react{};
