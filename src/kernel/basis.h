@@ -21,8 +21,9 @@ bool supervises(const State& state, modes::Supervision kind);
 bool memorises_faults(const State& state);
 
 /// Renews State::basis when the track description, the train, the national values or the mode changed since it was
-/// built, or the train's rear end is farther back than where its curves begin. Returns whether it did. Without a change it does nothing. Its key is taken with the authority that was in
-/// force before: what a new authority changes in it is found by the next call, of which each cycle has two at least.
+/// built, or the train's rear end is farther back than where its curves begin. Returns whether it did. Without a change
+/// it does nothing. Its key is taken with the authority that was in force before: what a new authority changes in it is
+/// found by the next call, of which each cycle has two at least.
 bool renew_basis(State& state, const TrainSignals& train, const track::Here& here);
 
 /// The basis of curves built now, for `authority`.
