@@ -195,7 +195,7 @@ void add_numbers(ShortText& line, const port::Event& e, Takes takes) {
     case Takes::fault:
       return word(name(static_cast<train::Fault>(e.id)));
     case Takes::gap:
-      return word(kEditionGapRows[static_cast<std::size_t>(e.id)].name);
+      return word(kEditionGapRows[terms::index(static_cast<EditionGap>(e.id))].name);
   }
 }
 
