@@ -367,6 +367,32 @@ TEST(AnyDisplay, NothingThatIsNotEnabledActs) {
   EXPECT_GT(acted, 500u);
 }
 
+// Beside each other they would be read as one: of every dial, 120 and 140 of that up to 250 km/h are the nearest.
+TEST(AnyDisplay, NumbersOfTheDialStandApart) {
+  for (const port::Dial dial : {port::Dial::to_140, port::Dial::to_180, port::Dial::to_250, port::Dial::to_400}) {
+    port::Display display = test::neutral();
+    display.config.dial = dial;
+    State state;
+    show(state, display);
+    const Screen screen = test::drawn(state);
+    double right = -1000.0, low = 0.0;
+    int numbers = 0;
+    for (const Item& item : screen.items) {
+      if (item.kind != Kind::dial_number) continue;
+      const double angle = item.from_deg * 3.14159265358979 / 180.0;
+      const double x = item.r_in * std::sin(angle) + item.w, y = -item.r_in * std::cos(angle);
+      const double half = width_of(item.text.view(), 16, false) / 2.0;
+      const bool beside = std::abs(y - low) < 8.0;
+      EXPECT_TRUE(!beside || x - half > right + 0.5) << item.text.view();
+      EXPECT_LE(std::abs(static_cast<double>(item.w)), 4.0);
+      right = x + half;
+      low = y;
+      ++numbers;
+    }
+    EXPECT_GE(numbers, 7);
+  }
+}
+
 TEST(AnyDisplay, SpeedsBeyondTheDialStandAtItsEnd) {
   State state;
   Display display = test::neutral(Mode::FS);

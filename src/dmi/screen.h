@@ -153,7 +153,7 @@ enum class Kind : std::uint8_t {
   pointer,      ///< needle and hub: deg (from_deg); shape of kPointer
   digits,       ///< the three columns of B1: text (three characters, ' ' is an empty column), height
   dial_line,    ///< radial line: from_deg, r_in, r_out, w (its width), number (the speed in km/h)
-  dial_number,  ///< text, from_deg, r_in (radius of its centre), height
+  dial_number,  ///< text, from_deg, r_in (radius of its centre), w (cells that it is set aside to the right), height
   hook,         ///< from_deg (its leading edge), w tangential towards zero, r_in, r_out
   disc,         ///< from_deg, r_in (radius of its centre), w (its diameter)
   text,         ///< at (its box, relative), text, height, align, indent, bold

@@ -66,7 +66,7 @@ void draw_window_buttons(const Drawing& to, Area area) {
 }
 
 /// The hour glass in the title, every second at the next of ten places (015560 11.2.1.6, 11.2.5.6). Of Radio data it
-/// goes over the end of the title, on ground of its own, so that both can be told apart.
+/// goes over the end of the title, on ground of its own, so that both can be read.
 void draw_hour_glass(const Drawing& to) {
   if (!is_waiting(to.state)) return;
   constexpr std::int32_t kFirst = 42, kStep = 26, kPlaces = 10;

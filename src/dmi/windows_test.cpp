@@ -112,7 +112,7 @@ TEST_F(Windows, HourGlassOfRadioDataHasThePlacesOfMain) {
   }
 }
 
-// 3.6.0 knows one radio network and calls it so; 4.0.0 tells it from that of FRMCS.
+// 3.6.0 has one radio network and calls it so; in 4.0.0 there is that of FRMCS beside it.
 TEST_F(Windows, RadioNetworkIsNamedByTheEdition) {
   EXPECT_TRUE(display.data.networks.push_back(0x26210Fu));
   for (const auto& [srs, called] : {std::pair{SrsVersion::v3_6_0, std::string("Radio network ID")},

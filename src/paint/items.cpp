@@ -189,7 +189,8 @@ void dial_line(Shapes& shapes, const Item& item) {
 }
 
 void dial_number(Shapes& shapes, const Item& item) {
-  const Point centre = on_circle(kDial, item.r_in, item.from_deg);
+  Point centre = on_circle(kDial, item.r_in, item.from_deg);
+  centre.x += item.w;
   const double height = height_of(item);
   write(shapes, item.text.view(),
         {centre.x - width_of(item.text.view(), height, item.bold) / 2.0, centre.y + height / 2.0}, height, item.colour,
