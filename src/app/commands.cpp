@@ -18,6 +18,7 @@
 #include "deceleration/command.h"
 #include "explain/command.h"
 #include "explain/modes.h"
+#include "io/date_time.h"
 #include "io/file.h"
 #include "io/make_line.h"
 #include "language/decode.h"
@@ -79,6 +80,8 @@ void refuse_empty_arguments(CLI::App& app) {
 void add_run(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<run::RunOptions>();
   auto seed = std::make_shared<std::string>("1");
+  auto srs = std::make_shared<std::string>(name(options->srs));
+  auto utc = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("run", "Drive a simulated train along a line, supervised by the on-board");
   command->add_option("line", options->line,
                       "line file (etcs-line/1), - for standard input; default: the shipped line");
@@ -93,12 +96,21 @@ void add_run(CLI::App& app, int& exit_code) {
     return seed_of(given) ? std::string()
                           : "found " + given + ", expected a whole number from 0 to 18446744073709551615";
   });
+  command->add_option("--srs", *srs, "edition of the on-board and its display; default: 3.6.0")
+      ->check(CLI::IsMember({"3.4.0", "3.6.0", "4.0.0"}));
+  command->add_option("--utc", *utc, "the on-board's clock at the begin, as 2026-01-01T08:00:00Z; default: no clock")
+      ->check([](const std::string& given) {
+        return io::read_utc(given) ? std::string() : "found " + given + ", expected a time as 2026-01-01T08:00:00Z";
+      });
   command->add_flag("--real-time", options->real_time, "cycles by the clock, to the end of the run, SIGINT or SIGTERM");
   command->add_option("--cycle", options->cycle_ms, "length of a cycle in ms; default: 100")
       ->check(whole_number_between(1, 1000));
   command->add_option("-o,--output", options->output, "folder for the report and the records");
-  command->callback([options, seed, &exit_code] {
+  command->callback([options, seed, srs, utc, &exit_code] {
     options->seed = *seed_of(*seed);
+    for (const auto& row : kSrsVersionRows)
+      if (*srs == row.name) options->srs = row.value;
+    options->utc = io::read_utc(*utc);
     exit_code = run::run(*options);
   });
 }

@@ -65,13 +65,16 @@ std::string_view part_of(Page& page, Part part) {
 EVC_EXPORT(take)(std::size_t size)->void* { return std::malloc(size); }
 EVC_EXPORT(free_taken)(void* memory)->void { std::free(memory); }
 
-/// A ride with these bytes (given.h). driver: -1 by hand, else a DriverKind. Null: the bytes are not ours.
-EVC_EXPORT(begin)(const char* bytes, std::size_t size, int driver, std::uint32_t seed)->Page* {
+/// A ride with these bytes (given.h). driver: -1 by hand, else a DriverKind. srs: a SrsVersion. utc: the begin in
+/// seconds since 1970; below 0: as if not said. Null: the bytes are not ours.
+EVC_EXPORT(begin)(const char* bytes, std::size_t size, int driver, std::uint32_t seed, int srs, double utc)->Page* {
   auto given = evc::ride::given_of({bytes, size});
   if (!given) return nullptr;
   evc::ride::Ride::Settings settings;
   settings.seed = seed;
   if (driver >= 0) settings.driver = static_cast<evc::sim::DriverKind>(driver);
+  settings.srs = static_cast<evc::SrsVersion>(srs);
+  if (utc >= 0.0) settings.utc = static_cast<std::int64_t>(utc);
   auto page = std::make_unique<Page>();
   page->ride = std::make_unique<evc::ride::Ride>(*std::move(given), settings);
   return page.release();

@@ -31,6 +31,16 @@ port::Display& Panel::record_at(Duration now) {
   return record_;
 }
 
+void Panel::touch_button(Button button) {
+  const dmi::Action action{dmi::ActionKind::button, static_cast<std::uint8_t>(button)};
+  for (const dmi::Target& target : dmi::targets(state_)) {
+    if (target.action != action) continue;
+    const dmi::Rect& at = target.abs;
+    if (touch({at.x + at.w / 2, at.y + at.h / 2})) lift();
+    return;
+  }
+}
+
 void Panel::show(const port::Display& record) {
   if (record.now < record_.now) return;
   record_ = record;

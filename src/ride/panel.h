@@ -22,6 +22,8 @@ class Panel {
   /// Whether something enabled was hit.
   bool touch(dmi::Cell cell) { return dmi::press(state_, cell, record_.now); }
   void slide(dmi::Cell cell) { dmi::slide(state_, cell, record_.now); }
+  /// Touches a button of the window that is open, where it is enabled.
+  void touch_button(Button button);
   void lift() { dmi::release(state_, record_.now); }
   /// What the driver did since the last call.
   dmi::Commands take() { return dmi::take(state_); }

@@ -14,7 +14,8 @@ namespace evc::ride {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-/// A journey by hand begins at 08:00 (UTC) of 2026-01-01, always: the same touches give the same bytes.
+/// A journey by hand begins at 08:00 (UTC) of 2026-01-01 unless its begin is given: the same touches give the same
+/// bytes.
 constexpr std::int64_t kBegin_utc = 1767254400;
 
 double kmh(const std::optional<Speed>& v) { return v ? v->si * 3.6 : kNone; }
@@ -27,6 +28,7 @@ sim::Networks networks_of(const Given& given, const Ride::Settings& settings) {
 io::Configuration configuration_of(const Given& given, const Ride::Settings& settings) {
   io::Configuration configuration;
   configuration.cycle_ms = settings.cycle_ms;
+  configuration.srs = settings.srs;
   configuration.train.name = given.train_name;
   configuration.train.data = given.train;
   configuration.train.dynamics = given.dynamics;
@@ -42,6 +44,10 @@ sim::World::Settings world_of(const Ride::Settings& settings) {
   world.driver = settings.driver.value_or(world.driver);
   world.seed = settings.seed;
   world.cycle_ms = settings.cycle_ms;
+  // Without a clock the display has no local time (area G13). Journeys of a simulated driver are those of `evc run`,
+  // which has one only where it is asked for.
+  world.utc = settings.utc;
+  if (!world.utc && world.by_hand) world.utc = kBegin_utc;
   return world;
 }
 
@@ -114,8 +120,8 @@ void Ride::cycle() {
   inputs.levels.train.radio_registered = w.terminals.registered(inputs.t_ms);
   const dmi::Commands commands = panel_->take();
   if (by_hand_) obey(commands, inputs);
-  // Without a clock the display has no local time (area G13). Journeys of a simulated driver are those of `evc run`.
-  if (by_hand_ && cycles_ == 0) inputs.levels.utc = kBegin_utc;
+  // The simulated driver has no fingers: of what he selects, Start alone closes a window (015560 11.3).
+  if (!by_hand_ && inputs.levels.driver.has(port::Select::start)) panel_->touch_button(Button::start);
   w.writer.append(inputs_, inputs);
   kernel::step(w.state, w.derived, inputs.view(), w.outputs);
   w.outside.observe(w.outputs);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "openevc/terms/srs_version.h"
 #include "ride/given.h"
 #include "ride/panel.h"
 #include "ride/sha256.h"
@@ -36,6 +37,8 @@ class Ride {
     std::optional<sim::DriverKind> driver;  ///< absent: driven by hand
     std::uint64_t seed = 1;                 ///< of odometer errors and delays
     std::int64_t cycle_ms = 100;
+    SrsVersion srs = SrsVersion::v3_6_0;   ///< the edition of the on-board and its display
+    std::optional<std::int64_t> utc = {};  ///< the begin in seconds since 1970; absent: by hand at 08:00, else no clock
   };
   Ride(Given given, const Settings& settings);
   ~Ride();

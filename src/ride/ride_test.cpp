@@ -8,6 +8,7 @@
 #include "base/test_paths.h"
 #include "io/file.h"
 #include "io/input_stream.h"
+#include "io/json.h"
 #include "io/line_file.h"
 #include "kernel/state.h"
 
@@ -175,6 +176,52 @@ TEST(Ride, TheTerminalsFindTheNetworkOfTheLine) {
   const std::string with = journal_of(simulated);
   given.networks = {};
   EXPECT_EQ(with, journal_of(simulated));
+}
+
+// The clock is an input: a journey of the simulated driver has one where a begin is given, one by hand has it always.
+TEST(Ride, HasTheLocalTimeFromItsBegin) {
+  const auto local_time_of = [](const Ride::Settings& settings) {
+    Ride ride(shipped(), settings);
+    ride.advance(51);  // the first cycle is that of time 0
+    const std::string& lines = ride.outputs();
+    const io::Json last = io::Json::parse(lines.substr(lines.rfind('\n', lines.size() - 2) + 1));
+    return last["clock"].is_null() ? std::string() : last["clock"]["local"].get<std::string>();
+  };
+  Ride::Settings settings;
+  settings.driver = sim::DriverKind::perfect;
+  EXPECT_EQ(local_time_of(settings), "");
+  settings.utc = 1767254400 + 3600 + 57;
+  EXPECT_EQ(local_time_of(settings), "2026-01-01T09:01:02");
+  settings.driver.reset();
+  EXPECT_EQ(local_time_of(settings), "2026-01-01T09:01:02");
+  settings.utc.reset();
+  EXPECT_EQ(local_time_of(settings), "2026-01-01T08:00:05");
+}
+
+// The window Main, which the start of mission has opened, closes when the simulated driver selects Start.
+TEST(Ride, ShowsTheLocalTimeOfASimulatedJourney) {
+  Ride::Settings settings;
+  settings.driver = sim::DriverKind::perfect;
+  settings.utc = 1767254400;
+  Ride ride(shipped(), settings);
+  ride.advance(1200);
+  std::string shown;
+  const io::Json screen = io::Json::parse(ride.panel().display_list());
+  EXPECT_EQ(screen["window"], "default");
+  for (const io::Json& item : screen["items"])
+    if (item["kind"] == "text" && item["area"] == "G13") shown = item["value"].get<std::string>();
+  EXPECT_EQ(shown, "08:01:59");
+}
+
+TEST(Ride, HasTheEditionThatIsChosen) {
+  for (const SrsVersion srs : {SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
+    Ride::Settings settings;
+    settings.srs = srs;
+    Ride ride(shipped(), settings);
+    const Driven driven = drive(ride, 10, 10);
+    EXPECT_NE(driven.inputs.find(std::string("\"srs\":\"") + name(srs) + '"'), std::string::npos);
+    EXPECT_EQ(replayed(driven.inputs), driven.outputs);
+  }
 }
 
 TEST(Given, IsTheSameAfterItsBytes) {

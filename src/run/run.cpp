@@ -110,11 +110,13 @@ int run(const RunOptions& options) {
                                                  kDriverNames.begin());
   settings.seed = options.seed;
   settings.cycle_ms = options.cycle_ms;
+  settings.utc = options.utc;
   if (options.odometer != "random")
     settings.odometer = options.odometer == "over" ? sim::Odometer::Errors::over() : sim::Odometer::Errors::under();
   if (options.last_ma >= 0) settings.last_ma = options.last_ma;
   io::Configuration configuration;
   configuration.cycle_ms = options.cycle_ms;
+  configuration.srs = options.srs;
   configuration.train = *train;
   configuration.document = io::configuration_document(configuration);
   const auto world = std::make_unique<sim::World>(*line, train->data, train->dynamics, settings);

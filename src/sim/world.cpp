@@ -40,9 +40,10 @@ CycleInputs& World::advance() {
 
 CycleInputs& World::advance_further() {
   if (first_)
-    first_ = false;
+    inputs_.levels.utc = settings_.utc;
   else
     move_one_cycle();
+  first_ = false;
   inputs_.levels.odometry = odometer_.read(motion_.speed());
   radio_.deliver(inputs_.t_ms, motion_.front(), inputs_);
   if (settings_.by_hand) {

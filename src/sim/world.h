@@ -34,6 +34,8 @@ class World {
     double adhesion_mps2 = 1.5;  // maximum deceleration that adhesion allows
     Odometer::Errors odometer;
     bool by_hand = false;  // driven at the desk from outside, not by the simulated driver
+    std::optional<std::int64_t> utc =
+        {};  // the on-board's clock at t = 0, in seconds since 1970; none: it has no clock
   };
   /// `line` and `train` must outlive the world: temporaries are refused.
   World(const Line& line, const train::TrainData& train, const Dynamics& dynamics, const Settings& settings);

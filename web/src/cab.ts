@@ -2,7 +2,7 @@
 
 import { DESK_KEYS, DeskView } from "./desk.js";
 import { CYCLE_S, Journey, lastValue } from "./journey.js";
-import { DRIVERS, type Desk, type Direction, type Driver, type Ride, type Summary } from "./module.js";
+import { DRIVERS, EDITIONS, type Begin, type Desk, type Direction, type Ride, type Summary } from "./module.js";
 import { element, followHand, showLamp } from "./page.js";
 import { Painter } from "./painter.js";
 import { Strip } from "./strip.js";
@@ -26,11 +26,16 @@ const KEYS = [
   { keys: "?", does: "this sheet" },
 ];
 
-/// What the address asks for: `?auto=perfect&speed=max`.
-export interface Wanted {
-  driver?: Driver;
+/// What the address asks for: `?auto=perfect&speed=max&srs=4.0.0&utc=2026-01-01T08:00:00Z`.
+export interface Wanted extends Begin {
   /// Times real time; Infinity for max.
   speed: number;
+}
+/// Seconds since 1970 of "2026-01-01T08:00:00Z"; nothing for another text.
+function utcOf(text: string): number | undefined {
+  if (!/^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ$/.test(text)) return undefined;
+  const seconds = Date.parse(text) / 1000;
+  return seconds >= 0 ? seconds : undefined;
 }
 export function wantedOf(query: string): Wanted {
   const asked = new URLSearchParams(query);
@@ -38,6 +43,10 @@ export function wantedOf(query: string): Wanted {
   const wanted: Wanted = { speed: speed === "max" ? Infinity : Math.min(20, Math.max(1, Number(speed) || 1)) };
   const driver = DRIVERS.find((name) => name === asked.get("auto"));
   if (driver !== undefined) wanted.driver = driver;
+  const edition = EDITIONS.find((name) => name === asked.get("srs"));
+  if (edition !== undefined) wanted.edition = edition;
+  const utc = utcOf(asked.get("utc") ?? "");
+  if (utc !== undefined) wanted.utc = utc;
   return wanted;
 }
 
@@ -202,6 +211,14 @@ export class Cab implements Evc {
 
   private connect(): void {
     followHand(this.painter, this.journey);
+    // Another edition is another on-board: the journey begins anew.
+    const edition = element<HTMLSelectElement>("#edition");
+    edition.value = this.wanted.edition ?? "3.6.0";
+    edition.addEventListener("change", () => {
+      const query = new URLSearchParams(location.search);
+      query.set("srs", edition.value);
+      location.search = query.toString();
+    });
     element("#pause").addEventListener("click", () => this.pause());
     element("#back").addEventListener("click", () => this.goBack(this.journey.seconds - BACK_S));
     for (const button of document.querySelectorAll<HTMLButtonElement>("[data-speed]"))
@@ -231,7 +248,7 @@ export class Cab implements Evc {
   }
 
   private key(event: KeyboardEvent): void {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target instanceof HTMLSelectElement) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if (this.wanted.driver === undefined && this.desk_.press(key)) {
       event.preventDefault();

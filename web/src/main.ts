@@ -23,7 +23,7 @@ async function begin(): Promise<void> {
   // Without a line the page is that of a unit which runs elsewhere: of `evc serve`.
   if (document.getElementById("given")?.textContent === "") return beginLive(await Remote.begin(module));
   const wanted = wantedOf(location.search);
-  const cab = new Cab(await Ride.begin(module, bytesIn("given"), wanted.driver), wanted);
+  const cab = new Cab(await Ride.begin(module, bytesIn("given"), wanted), wanted);
   window.evc = {
     state: () => cab.state(),
     screen: () => cab.screen(),

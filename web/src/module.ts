@@ -19,6 +19,20 @@ export interface Desk {
 export const DRIVERS = ["perfect", "late", "reckless"] as const;
 export type Driver = (typeof DRIVERS)[number];
 
+/// As SrsVersion (terms/srs_version.h): the editions of the on-board and of its display.
+export const EDITIONS = ["3.4.0", "3.6.0", "4.0.0"] as const;
+export type Edition = (typeof EDITIONS)[number];
+
+/// How a journey begins. Without a driver it is driven by hand.
+export interface Begin {
+  driver?: Driver;
+  seed?: number;
+  /// 3.6.0 unless said.
+  edition?: Edition;
+  /// The on-board's clock at the begin, in seconds since 1970. Unless said 08:00 by hand, none with a driver.
+  utc?: number;
+}
+
 /// One cycle for the strip, the fields of ride::Point in their order; NaN where there is no value.
 export const POINT_FIELDS = [
   "t_s", "x_m", "v", "V_P", "V_W", "V_SBI", "V_EBI", "V_MRSP", "V_target", "V_release", "target_m", "EOA_m", "SvL_m",
@@ -66,7 +80,7 @@ interface Exports {
   _initialize(): void;
   take(size: number): number;
   free_taken(memory: number): void;
-  begin(bytes: number, size: number, driver: number, seed: number): number;
+  begin(bytes: number, size: number, driver: number, seed: number, srs: number, utc: number): number;
   advance(page: number, cycles: number): number;
   finished(page: number): number;
   desk(page: number, lever: number, direction: number, open: number, emergency: number): void;
@@ -167,12 +181,14 @@ export class Remote extends Place {
 /// A journey in the module.
 export class Ride extends Place {
 
-  /// `given`: the bytes that `evc cab` wrote. Without a driver it is driven by hand.
-  static async begin(code: BufferSource, given: Uint8Array, driver?: Driver, seed = 1): Promise<Ride> {
+  /// `given`: the bytes that `evc cab` wrote.
+  static async begin(code: BufferSource, given: Uint8Array, begin: Begin = {}): Promise<Ride> {
+    const { driver, seed = 1, edition = "3.6.0", utc = -1 } = begin;
     const exports = await exportsOf(code);
     const bytes = exports.take(given.length);
     new Uint8Array(exports.memory.buffer).set(given, bytes);
-    const page = exports.begin(bytes, given.length, driver === undefined ? -1 : DRIVERS.indexOf(driver), seed);
+    const kind = driver === undefined ? -1 : DRIVERS.indexOf(driver);
+    const page = exports.begin(bytes, given.length, kind, seed, EDITIONS.indexOf(edition), utc);
     if (page === 0) throw new Error("the page's line and train are of another version than its module");
     return new Ride(exports, page);
   }

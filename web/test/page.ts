@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { promisify } from "node:util";
 
-import { bytesOfBase64, Ride, unpacked, type Driver } from "../src/module.js";
+import { bytesOfBase64, Ride, unpacked, type Begin } from "../src/module.js";
 
 export const EVC = process.env["EVC"] ?? "build/release/evc";
 export const CHROMIUM = process.env["CHROMIUM"] ?? "chromium";
@@ -38,9 +38,9 @@ export function contentOf(page: string, id: string): string {
 }
 
 /// A ride of the page that `evc cab` writes with these words.
-export async function rideOf(words: string[], driver?: Driver): Promise<Ride> {
+export async function rideOf(words: string[], begin: Begin = {}): Promise<Ride> {
   const file = join(folder(), "cab.html");
   evc("cab", ...words, "-o", file);
   const page = readFileSync(file, "utf8");
-  return Ride.begin(await unpacked(bytesOfBase64(contentOf(page, "module"))), bytesOfBase64(contentOf(page, "given")), driver);
+  return Ride.begin(await unpacked(bytesOfBase64(contentOf(page, "module"))), bytesOfBase64(contentOf(page, "given")), begin);
 }

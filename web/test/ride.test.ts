@@ -17,15 +17,23 @@ function summaryOf(words: string[]): { output_hash: string; modes: string[]; cyc
 
 for (const driver of DRIVERS)
   test(`the ${driver} driver in WebAssembly gives the bytes of evc run`, async () => {
-    const ride = await rideOf([], driver);
+    const ride = await rideOf([], { driver });
     while (ride.advance(100).cycles > 0);
     const { output_hash, modes, cycles } = summaryOf(["--driver", driver]);
     assert.deepEqual(ride.summary(), { output_hash, modes, cycles });
   });
 
+test("with an edition and a clock it gives the bytes of evc run", async () => {
+  const ride = await rideOf([], { driver: "perfect", edition: "4.0.0", utc: Date.UTC(2026, 0, 1, 8) / 1000 });
+  while (ride.advance(100).cycles > 0);
+  const { output_hash, modes, cycles } = summaryOf(["--srs", "4.0.0", "--utc", "2026-01-01T08:00:00Z"]);
+  assert.deepEqual(ride.summary(), { output_hash, modes, cycles });
+  assert.notEqual(output_hash, summaryOf([]).output_hash);
+});
+
 test("with a train of a file it gives the bytes of evc run", async () => {
   const train = ["--train", "data/trains/freight_P.json"];
-  const ride = await rideOf(train, "perfect");
+  const ride = await rideOf(train, { driver: "perfect" });
   while (ride.advance(100).cycles > 0);
   assert.equal(ride.summary().output_hash, summaryOf(train).output_hash);
 });
