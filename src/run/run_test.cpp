@@ -381,6 +381,19 @@ TEST(Run, TheShippedLineAndItsReplay) {
   EXPECT_EQ(page.find("http"), std::string::npos) << "the page needs no network";
 }
 
+// The clock and the edition are those of the on-board, and replay has both again.
+TEST(Run, HasTheClockAndTheEditionThatAreAskedFor) {
+  const Folder folder("clock");
+  const Finished run = evc("run --srs 4.0.0 --utc 2026-01-01T08:00:00Z -o '" + folder.path() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const std::string inputs = text_of(folder / "inputs.jsonl"), outputs = text_of(folder / "outputs.jsonl");
+  EXPECT_NE(inputs.substr(0, inputs.find('\n')).find(R"("srs":"4.0.0")"), std::string::npos);
+  EXPECT_NE(outputs.find(R"("local":"2026-01-01T08:01:00")"), std::string::npos);
+  EXPECT_TRUE(evc("replay '" + (folder / "inputs.jsonl") + "'").output == outputs);
+  for (const char* wrong : {"--utc 08:00", "--utc 2026-13-01T08:00:00Z", "--srs 5.0.0"})
+    EXPECT_EQ(evc(std::string("run ") + wrong).exit_code, 2) << wrong;
+}
+
 TEST(Run, TheRecordedLine) {
   if (!std::filesystem::exists(shared_line())) GTEST_SKIP() << "needs " << shared_line();
   const Folder folder("recorded");
