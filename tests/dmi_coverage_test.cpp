@@ -175,9 +175,9 @@ std::string described(const State& state, const Target& target) {
       const FieldId id = state.entry.fields[argument].id;
       const bool enters = argument == state.entry.selected;
       return std::string(enters ? "enter " : "select ") + (id == FieldId::validation ? "Yes or No"
-                                                           : std::string(dmi::label(id)).empty()
+                                                           : std::string(dmi::label(id, SrsVersion::v4_0_0)).empty()
                                                                ? dmi::row_of(state.window).title
-                                                               : std::string(dmi::label(id)));
+                                                               : std::string(dmi::label(id, SrsVersion::v4_0_0)));
     }
     default:
       return kActionNames[static_cast<std::size_t>(target.action.kind)];
@@ -355,8 +355,10 @@ TEST(DmiCoverage, EveryButtonOfAMenuIsPressedEnabledAndNot) {
 
 TEST(DmiCoverage, EveryFieldIsSelectedAndItsValueEntered) {
   for (std::size_t n = 0; n < static_cast<std::size_t>(FieldId::count); ++n) {
-    EXPECT_TRUE(record().selected.contains(static_cast<FieldId>(n))) << n << dmi::label(static_cast<FieldId>(n));
-    EXPECT_TRUE(record().entered.contains(static_cast<FieldId>(n))) << n << dmi::label(static_cast<FieldId>(n));
+    EXPECT_TRUE(record().selected.contains(static_cast<FieldId>(n)))
+        << n << dmi::label(static_cast<FieldId>(n), SrsVersion::v4_0_0);
+    EXPECT_TRUE(record().entered.contains(static_cast<FieldId>(n)))
+        << n << dmi::label(static_cast<FieldId>(n), SrsVersion::v4_0_0);
   }
 }
 
