@@ -374,7 +374,7 @@ Value Words::object() {
   while (!take("}")) {
     if (take(",")) continue;
     const int line = place();
-    const std::string name = word("a name or }");
+    const std::string name = next_is_text() ? text("a name or }") : word("a name or }");
     for (const Value& other : v.members)
       if (other.name == name) throw ReadError{line, "\"" + name + "\" again", "each name once"};
     v.members.push_back(value());
