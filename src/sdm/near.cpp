@@ -32,6 +32,13 @@ bool full_build_up(const Cycle& c, const Target& t) {
 /// 3.13.8.2.1 a (4.0.0): an element of the MRSP that is not lower than V_MRSP is no target now.
 bool in_list(const Cycle& c, const Target& t) { return t.kind != TargetKind::MRSP || t.V_target < c.M; }
 
+/// The times of the Indication limit, which feedback does not move with 4.0.0 (3.13.9.3.6.5).
+TargetTimes times_to_indication(const Cycle& c, const Target& t, const TargetTimes& of_the_moment) {
+  const TimesAsked q = asked(c, t);
+  if (!c.d.rules.indication_ignores_feedback || !q.feedback.has_value()) return of_the_moment;
+  return times_of(c.d, t, c.a, {std::nullopt, q.reduced_from});
+}
+
 void note_reduced(Cycle& c, const Target& target, const TargetTimes& t) {
   if (!in_list(c, target)) return;
   c.reduced = c.reduced || t.reduced_be || (t.reduced_bs && c.d.time_config.service_brake_available);
@@ -84,7 +91,13 @@ void evaluate(Cycle& c, std::size_t i, Seen& seen) {
   seen.beyond_I_EBD = c.m.max_safe_front > l.EBD.d_I;
   const LimitSpeeds e =
       speeds_of_EBD(c.d.view(t.EBD), c.d.view(t.GUI), c.a, l.times.EBD, t.V_target, c.m.max_safe_front, c.d.fixed);
-  c.V_I = std::min(c.V_I, e.V_I.si);
+  const TargetTimes to_I = times_to_indication(c, t, l.times);
+  const bool feedback_moves_others = to_I.EBD.T_bs2 != l.times.EBD.T_bs2 || to_I.EBD.T_bs1 != l.times.EBD.T_bs1;
+  const Speed V_I_of_EBD = feedback_moves_others ? speeds_of_EBD(c.d.view(t.EBD), c.d.view(t.GUI), c.a, to_I.EBD,
+                                                                 t.V_target, c.m.max_safe_front, c.d.fixed)
+                                                       .V_I
+                                                 : e.V_I;
+  c.V_I = std::min(c.V_I, V_I_of_EBD.si);
   seen.V_P = e.V_P.si;
   if (seen.beyond_I_EBD) seen.V_P_beyond_I = e.V_P.si;
   // 3.13.10.4.4: towards EOA and SvL never below the release speed.
@@ -97,7 +110,11 @@ void evaluate(Cycle& c, std::size_t i, Seen& seen) {
     seen.beyond_I_SBD = c.m.est_front > l.SBD->d_I;
     const LimitSpeeds s =
         speeds_of_SBD(c.d.view(t.SBD), c.d.view(t.GUI_EOA), c.a, l.times.SBD, t.d_EOA, c.m.est_front, c.d.fixed);
-    c.V_I = std::min(c.V_I, s.V_I.si);
+    const Speed V_I_of_SBD =
+        feedback_moves_others
+            ? speeds_of_SBD(c.d.view(t.SBD), c.d.view(t.GUI_EOA), c.a, to_I.SBD, t.d_EOA, c.m.est_front, c.d.fixed).V_I
+            : s.V_I;
+    c.V_I = std::min(c.V_I, V_I_of_SBD.si);
     seen.V_P = std::min(seen.V_P, s.V_P.si);
     if (seen.beyond_I_SBD) seen.V_P_beyond_I = std::min(seen.V_P_beyond_I, s.V_P.si);
     c.V_W = std::min(c.V_W, std::max(s.V_W.si, floor));

@@ -573,7 +573,8 @@ class Run {
   /// 3.14.1, 4.12: the same.
   void expect_brake_rules(const port::Inputs& in) {
     const train::NationalValues& values = stream_->configuration().national_values;
-    const bool until_standstill = !values.Q_NVEMRRLS && values.Q_NVSBTSMPERM;
+    const bool service_brake = values.Q_NVSBTSMPERM && stream_->configuration().train.data.service_brake_interface;
+    const bool until_standstill = !values.Q_NVEMRRLS && service_brake;
     brakes_.srs = stream_->configuration().srs;
     const auto faults = watch_brakes(brakes_, in, unit_->outputs, until_standstill, scenario_.at.text());
     if (!faults.empty()) fail("brakes by tests/reference/brake_causes.json", faults.front());
