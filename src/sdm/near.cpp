@@ -32,11 +32,18 @@ bool full_build_up(const Cycle& c, const Target& t) {
 /// 3.13.8.2.1 a (4.0.0): an element of the MRSP that is not lower than V_MRSP is no target now.
 bool in_list(const Cycle& c, const Target& t) { return t.kind != TargetKind::MRSP || t.V_target < c.M; }
 
-/// The times of the Indication limit, which feedback does not move with 4.0.0 (3.13.9.3.6.5).
-TargetTimes times_to_indication(const Cycle& c, const Target& t, const TargetTimes& of_the_moment) {
+/// Above it the Indication limit of the target is passed where the train is. With 4.0.0 feedback does not move that
+/// limit (3.13.9.3.6.5): `EBD` and `SBD`, speeds with the times of the moment, count without feedback only.
+Speed V_I(const Cycle& c, const Target& t, const LimitSpeeds& EBD, const std::optional<LimitSpeeds>& SBD) {
   const TimesAsked q = asked(c, t);
-  if (!c.d.rules.indication_ignores_feedback || !q.feedback.has_value()) return of_the_moment;
-  return times_of(c.d, t, c.a, {std::nullopt, q.reduced_from});
+  if (!c.d.rules.indication_ignores_feedback || !q.feedback.has_value())
+    return SBD.has_value() ? std::min(EBD.V_I, SBD->V_I) : EBD.V_I;
+  const TargetTimes times = times_of(c.d, t, c.a, {std::nullopt, q.reduced_from});
+  const Speed V =
+      speeds_of_EBD(c.d.view(t.EBD), c.d.view(t.GUI), c.a, times.EBD, t.V_target, c.m.max_safe_front, c.d.fixed).V_I;
+  if (!SBD.has_value()) return V;
+  return std::min(
+      V, speeds_of_SBD(c.d.view(t.SBD), c.d.view(t.GUI_EOA), c.a, times.SBD, t.d_EOA, c.m.est_front, c.d.fixed).V_I);
 }
 
 void note_reduced(Cycle& c, const Target& target, const TargetTimes& t) {
@@ -91,13 +98,6 @@ void evaluate(Cycle& c, std::size_t i, Seen& seen) {
   seen.beyond_I_EBD = c.m.max_safe_front > l.EBD.d_I;
   const LimitSpeeds e =
       speeds_of_EBD(c.d.view(t.EBD), c.d.view(t.GUI), c.a, l.times.EBD, t.V_target, c.m.max_safe_front, c.d.fixed);
-  const TargetTimes to_I = times_to_indication(c, t, l.times);
-  const bool feedback_moves_others = to_I.EBD.T_bs2 != l.times.EBD.T_bs2 || to_I.EBD.T_bs1 != l.times.EBD.T_bs1;
-  const Speed V_I_of_EBD = feedback_moves_others ? speeds_of_EBD(c.d.view(t.EBD), c.d.view(t.GUI), c.a, to_I.EBD,
-                                                                 t.V_target, c.m.max_safe_front, c.d.fixed)
-                                                       .V_I
-                                                 : e.V_I;
-  c.V_I = std::min(c.V_I, V_I_of_EBD.si);
   seen.V_P = e.V_P.si;
   if (seen.beyond_I_EBD) seen.V_P_beyond_I = e.V_P.si;
   // 3.13.10.4.4: towards EOA and SvL never below the release speed.
@@ -105,21 +105,17 @@ void evaluate(Cycle& c, std::size_t i, Seen& seen) {
   c.V_W = std::min(c.V_W, std::max(e.V_W.si, floor));
   c.V_SBI = std::min(c.V_SBI, std::max(e.V_SBI.si, floor));
   c.V_EBI = std::min(c.V_EBI, std::max(e.V_EBI.si, floor));
+  std::optional<LimitSpeeds> s;
   if (l.SBD.has_value()) {
     set_beyond(seen, *l.SBD, c.m.est_front, false);
     seen.beyond_I_SBD = c.m.est_front > l.SBD->d_I;
-    const LimitSpeeds s =
-        speeds_of_SBD(c.d.view(t.SBD), c.d.view(t.GUI_EOA), c.a, l.times.SBD, t.d_EOA, c.m.est_front, c.d.fixed);
-    const Speed V_I_of_SBD =
-        feedback_moves_others
-            ? speeds_of_SBD(c.d.view(t.SBD), c.d.view(t.GUI_EOA), c.a, to_I.SBD, t.d_EOA, c.m.est_front, c.d.fixed).V_I
-            : s.V_I;
-    c.V_I = std::min(c.V_I, V_I_of_SBD.si);
-    seen.V_P = std::min(seen.V_P, s.V_P.si);
-    if (seen.beyond_I_SBD) seen.V_P_beyond_I = std::min(seen.V_P_beyond_I, s.V_P.si);
-    c.V_W = std::min(c.V_W, std::max(s.V_W.si, floor));
-    c.V_SBI = std::min(c.V_SBI, std::max(s.V_SBI.si, floor));
+    s = speeds_of_SBD(c.d.view(t.SBD), c.d.view(t.GUI_EOA), c.a, l.times.SBD, t.d_EOA, c.m.est_front, c.d.fixed);
+    seen.V_P = std::min(seen.V_P, s->V_P.si);
+    if (seen.beyond_I_SBD) seen.V_P_beyond_I = std::min(seen.V_P_beyond_I, s->V_P.si);
+    c.V_W = std::min(c.V_W, std::max(s->V_W.si, floor));
+    c.V_SBI = std::min(c.V_SBI, std::max(s->V_SBI.si, floor));
   }
+  c.V_I = std::min(c.V_I, V_I(c, t, e, s).si);
   if (c.d.rules.pre_indication && c.a.V > c.M) {
     Approach at_M = c.a;
     at_M.V = c.M;
