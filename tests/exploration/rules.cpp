@@ -170,7 +170,6 @@ class Cycle {
       case Mode::UN:
         return against;
       case Mode::RV:
-        return against || !backward;
       case Mode::PT:
         return against || !backward;
       default:
