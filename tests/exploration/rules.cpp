@@ -124,7 +124,7 @@ class Cycle {
       apply(Rule::order_of_limits, *now_.V_P <= *now_.V_MRSP + kRounding, "permits more than the MRSP");
     if (now_.V_EBI && now_.v > *now_.V_EBI + kRounding)
       apply(Rule::too_fast, now_.eb, "above the EBI limit without emergency brake");
-    // In AD the service brake is left to the automatic operation (3.13.10.3.3 of 4.0.0).
+    // In AD the SBI limits command no brake (4.4.16.1.4 of 4.0.0).
     if (now_.V_SBI && now_.mode != Mode::AD && now_.v > *now_.V_SBI + kRounding)
       apply(Rule::too_fast, now_.eb || now_.sb, "above the SBI limit without a brake");
     if (!now_.V_P) return;
