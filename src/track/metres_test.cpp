@@ -339,7 +339,8 @@ class Database {
   }
   void take_signalling_speed(SpeedCode V_MAIN, const std::optional<Place>& infill) {
     if (!infill) model.each(0, kMetres, [](Metre& m) { m.signalling = kNone; });
-    model.each(infill ? whole(*infill) : whole(here_.min_safe_rear), kMetres, [&](Metre& m) { m.signalling = V_MAIN; });
+    model.each(infill ? whole(*infill) : whole(here_.min_safe_rear - Distance{300.0}), kMetres,
+               [&](Metre& m) { m.signalling = V_MAIN; });
   }
 
   // --- what takes data away
