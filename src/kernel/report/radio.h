@@ -20,7 +20,4 @@ struct RadioResult {
 RadioResult run_radio(State& state, const Inputs& inputs, const Received& received, const Decided& decided,
                       bool request_before_perturbation, radio::Outbox& outbox, Log log);
 
-/// The messages of the outbox as bits.
-void compose_messages(State& state, const NationalSystem& national, const radio::Outbox& outbox, Log log, Outputs& out);
-
 }  // namespace evc::kernel

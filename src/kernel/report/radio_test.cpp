@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/test_units.h"
+#include "kernel/report/outgoing.h"
 #include "modes/active_functions.h"
 #include "radio/compose.h"
 #include "radio/messages.h"

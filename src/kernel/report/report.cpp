@@ -8,6 +8,7 @@
 #include "kernel/report/data.h"
 #include "kernel/report/dialogue.h"
 #include "kernel/report/handover.h"
+#include "kernel/report/outgoing.h"
 #include "kernel/report/radio.h"
 #include "kernel/report/shown.h"
 #include "kernel/report/texts.h"
