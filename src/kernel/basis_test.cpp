@@ -83,15 +83,18 @@ TEST_F(Basis, IsRenewedOnlyWhenSomethingChanged) {  // 3.13.2
   EXPECT_TRUE(renewed());
 }
 
-TEST_F(Basis, Is_renewed_where_the_train_has_run_back) {  // A.3.6.2.1.1
-  here.min_safe_rear = at(800.0);
+TEST_F(Basis, IsRenewedBehindATrainThatHasRunBack) {  // A.3.6.2.1.1
+  const Place rear = state.basis.min_safe_rear;
+  here.min_safe_rear = rear;
   EXPECT_FALSE(renewed());
-  here.min_safe_rear = at(785.0);
-  EXPECT_FALSE(renewed());
-  here.min_safe_rear = at(784.9);
+  here.min_safe_rear = rear - 0.1_m;
   EXPECT_TRUE(renewed());
-  EXPECT_EQ(state.basis.min_safe_rear, at(784.9));
-  EXPECT_FALSE(renewed());
+  EXPECT_EQ(state.basis.min_safe_rear, rear - 0.1_m - 20_m);
+  here.min_safe_rear = rear - 20_m;
+  EXPECT_FALSE(renewed()) << "not for every step back";
+  here.min_safe_rear = rear - 20.2_m;
+  EXPECT_TRUE(renewed());
+  EXPECT_EQ(state.basis.min_safe_rear, rear - 20.2_m - 20_m);
 }
 
 TEST_F(Basis, NumberZeroIsForNoCurves) {

@@ -10,7 +10,7 @@ namespace evc::ride {
 namespace {
 
 /// Of the order of fields below: a change of that is a new version. web/index.html names it too.
-constexpr std::uint32_t kVersion = 0x45564302;
+constexpr std::uint32_t kVersion = 0x45564303;
 
 /// A byte is one, every other number is eight: a std::size_t is not as wide everywhere.
 template <class Number>

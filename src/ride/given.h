@@ -26,7 +26,7 @@ struct Given {
 std::string bytes_of(const Given& given);
 /// Nothing for bytes that `bytes_of` of this version did not make.
 std::optional<Given> given_of(std::string_view bytes);
-/// Where they go in the compiled page: "@given 45564302@". With the version of the bytes in it, a page that was
+/// Where they go in the compiled page: "@given 45564303@". With the version of the bytes in it, a page that was
 /// compiled for another one has no such place.
 std::string given_place();
 

@@ -13,7 +13,7 @@ extern const char unit_page_template[];
 
 namespace {
 
-/// Where `evc cab` puts the line and the train: "@given 45564302@", with the version of what it puts there.
+/// Where `evc cab` puts the line and the train: "@given 45564303@", with the version of what it puts there.
 constexpr std::string_view kPlace = "@given";
 
 }  // namespace

@@ -262,12 +262,14 @@ TEST_F(RadioReport, WithoutPowerNoConditionOfTheContactHolds) {  // 4.4.4, 4.6.3
 TEST_F(RadioReport, ANewSessionEndsWhatIsKnownOfTheIntegrity) {  // 3.6.5.2.6
   for (const bool established : {false, true}) {
     restart(Mode::FS);
-    state.integrity.integrity = position::Integrity::lost;
     state.data.train_data_status = DataStatus::valid;
+    state.radio.supervising.train_data_acknowledged = true;
+    state.integrity.integrity = position::Integrity::lost;
     received.integrity = TrainIntegrity::lost;
     state.radio.supervising.established_now = established;
     const auto before = state.integrity;
     state.integrity.integrity = position::Integrity::by_driver;
+    state.integrity.L_TRAIN = state.train.L_TRAIN;
     (void)run();
     EXPECT_EQ(state.integrity.integrity, established ? position::Integrity::lost : position::Integrity::by_driver);
     state.integrity = before;
