@@ -32,8 +32,10 @@ procedures::start_of_mission::Session session_of(const State& s) {
 procedures::mode_profile::Result run_areas(State& s, procedures::mode_profile::Inputs in) {
   InplaceVector<procedures::mode_profile::Area, 32> areas;
   for (track::ModeArea& a : s.track.mode_profile) {
-    // With the area entered the window ahead of it is over. The entry is undone neither by a correction of the position
-    // nor by rolling back (A.3.5.1): without a window, the area of this mode reaches back to the train.
+    // In its mode it is entered without an acknowledgement (5.9.2.7). Its window is over then, and the entry not undone
+    // by a correction of the position or rolling back (A.3.5.1): the area of this mode reaches back to the train.
+    const bool front_within = in.max_safe_front >= a.from && (!a.to || in.max_safe_front < *a.to);
+    a.accepted = a.accepted || (front_within && a.mode == s.mode);
     const bool in_its_mode = a.accepted && a.mode == s.mode;
     if (in_its_mode && in.max_safe_front >= a.from) a.ack_from = a.from;
     const bool entered = in_its_mode && a.ack_from >= a.from;
