@@ -68,6 +68,8 @@ void change_rbc(Reception& r) {
   State& s = r.state;
   if (!s.radio.exchange_due) return;
   radio::exchange(s.radio, s.now);
+  // 3.11.5.14: what the former RBC ordered beyond the border too, where it supervised until now.
+  s.track.revocable_tsr_inhibited = false;
   for (BufferedSet& set : s.buffer) set.accepting = false;
   release_buffer(r);
 }
