@@ -415,7 +415,7 @@ CurvesInput read(const JsonPlace& root) {
     const auto end = root["target"].find("speed_kmh");
     if (const double V_target = end && !end->is_null() ? end->number() : 0.0; V_target < top) {
       const auto at = std::lower_bound(out.speeds_kmh.begin(), out.speeds_kmh.end(), V_target);
-      if (*at != V_target) out.speeds_kmh.insert(at, V_target);
+      if (at == out.speeds_kmh.end() || *at != V_target) out.speeds_kmh.insert(at, V_target);
     }
   }
   return out;

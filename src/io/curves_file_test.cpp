@@ -47,5 +47,19 @@ TEST(CurvesFile, TheWeakerSubsetOfKvWithoutTheDecelerationsThatDecide) {
             std::string::npos);
 }
 
+/// Without speeds in the query. That of the target may lie between the highest one of the MRSP and its rounding.
+TEST(CurvesFile, TheUsualSpeedsEndWithThatOfTheMRSPAndHaveThatOfTheTarget) {
+  const auto speeds = [](const std::string& mrsp_kmh, const std::string& target_kmh) {
+    const auto read =
+        read_curves(R"({"schema":"evc-curves/1","train":{},"track":{"mrsp":[[0,)" + mrsp_kmh +
+                        R"(]]},"target":{"type":"LOA","location_m":7000,"speed_kmh":)" + target_kmh + "}}",
+                    "c.json");
+    return read ? read->speeds_kmh : std::vector<double>{};
+  };
+  EXPECT_EQ(speeds("35", "12"), (std::vector<double>{0.0, 10.0, 12.0, 20.0, 30.0, 35.0}));
+  EXPECT_EQ(speeds("30", "10"), (std::vector<double>{0.0, 10.0, 20.0, 30.0}));
+  EXPECT_EQ(speeds("20.0000000004", "20.0000000003"), (std::vector<double>{0.0, 10.0, 20.0, 20.0000000003}));
+}
+
 }  // namespace
 }  // namespace evc::io

@@ -40,6 +40,12 @@ std::optional<std::int64_t> read_utc(std::string_view text) {
   return time.time_since_epoch().count();
 }
 
+std::int64_t read_utc(const JsonPlace& place) {
+  const auto utc = read_utc(place.string());
+  if (!utc) place.fail("date and time as 2026-11-22T10:15:00Z, from 1970 on");
+  return *utc;
+}
+
 void append_date_time(std::string& out, std::int64_t since_1970) {
   using namespace std::chrono;
   const sys_seconds time{seconds{since_1970}};

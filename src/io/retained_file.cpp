@@ -43,12 +43,6 @@ auto read_optional(const JsonPlace& place, Read read) -> std::optional<decltype(
   return read(place);
 }
 
-std::int64_t read_date(const JsonPlace& place) {
-  const auto utc = read_utc(place.string());
-  if (!utc) place.fail("date and time as 2026-11-22T10:15:00Z, from 1970 on");
-  return *utc;
-}
-
 Retained::Cover read_cover(const JsonPlace& place) {
   place.know_only({"NID_C", "NID_VBCMK", "left_s", "T_VBC", "utc"});
   const double left_s = place["left_s"].number(0.0, kLongestCover_s);
@@ -57,7 +51,7 @@ Retained::Cover read_cover(const JsonPlace& place) {
   const std::int64_t T_VBC = given ? given->integer(0, 255) : static_cast<std::int64_t>(std::ceil(left_s / 86400.0));
   Retained::Cover cover{read_NID_C(place["NID_C"]), static_cast<std::uint8_t>(place["NID_VBCMK"].integer(0, 63)),
                         Duration{left_s}, static_cast<std::uint8_t>(T_VBC)};
-  if (const auto utc = place.find("utc")) cover.utc = read_date(*utc);  // none where the unit had no clock
+  if (const auto utc = place.find("utc")) cover.utc = read_utc(*utc);  // none where the unit had no clock
   return cover;
 }
 
