@@ -233,9 +233,6 @@ void store_authority(const Filing& f, const AuthorityContents& c, const std::opt
   if (!ma.level_1) d.signalling.clear();
 }
 
-/// It counts after a reverse movement too, as far behind the train as other restrictions are kept (A.3.6.2).
-constexpr Distance kBehind{300.0};
-
 void store_signalling_speed(const Filing& f, const Contents& c) {
   if (!c.V_MAIN) return;
   if (*c.V_MAIN == 0) {
@@ -245,7 +242,8 @@ void store_signalling_speed(const Filing& f, const Contents& c) {
   }
   if (!c.infill) {
     f.d.signalling.clear();  // the new one counts from now on (3.11.6.2, 3.11.6.3)
-    (void)f.d.signalling.push_back({f.here.min_safe_rear - kBehind, *c.V_MAIN, std::nullopt});
+    // It counts after a reverse movement too, as far behind the train as other restrictions are kept (A.3.6.2).
+    (void)f.d.signalling.push_back({f.here.min_safe_rear - kKeptBehind, *c.V_MAIN, std::nullopt});
     return;
   }
   // Those in rear of the infill location reference go on up to it (3.8.5.1 b, 3.11.6.2).

@@ -9,10 +9,6 @@
 namespace evc::track {
 namespace {
 
-/// D_KEEP_REAR (A.3.1): speed restrictions, gradient, adhesion and big metal masses are stored up to this distance
-/// behind.
-constexpr Distance kKeptBehind{300.0};
-
 bool cuts_at_train(Situation situation) {
   switch (situation) {
     case Situation::e_end_section_timeout:

@@ -47,8 +47,11 @@ struct Elapsed {
   bool track_description_deleted = false;  ///< reason 8 of the MA request
   bool any() const { return section_timeout || overlap_timeout || end_section_timeout || loa_timeout; }
 };
-/// Every cycle: timers of the MA (3.8.4), and deletion of data no longer needed (A.3.6): speed restrictions, gradient,
-/// adhesion and big metal masses 300 m behind the min safe rear end, and areas passed.
+/// D_KEEP_REAR (A.3.1): speed restrictions, gradient, adhesion and big metal masses are stored up to this distance
+/// behind the min safe rear end.
+inline constexpr Distance kKeptBehind{300.0};
+/// Every cycle: timers of the MA (3.8.4), and deletion of data no longer needed (A.3.6): what is farther behind than
+/// kKeptBehind, and areas passed.
 Elapsed advance(Description& d, const Here& here);
 
 /// The train has the other orientation: everything ahead of it is deleted, but for the list of groups that may be

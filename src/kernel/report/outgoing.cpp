@@ -10,18 +10,18 @@ namespace {
 
 radio::TrainDataReport train_report(const State& s, const train::TrainData& t, const NationalSystem& national) {
   radio::TrainDataReport r;
-  const track::TrainCategory category = category_of(t);
-  r.NC_CDTRAIN = category.NC_CDTRAIN;
-  r.NC_TRAIN = category.NC_TRAIN;
+  const radio::RouteData route = route_data(t);
+  r.NC_CDTRAIN = route.NC_CDTRAIN;
+  r.NC_TRAIN = route.NC_TRAIN;
   // The reported length and speed must not be too small: rounded up.
   const auto whole = static_cast<std::uint16_t>(t.L_TRAIN.si);
   r.L_TRAIN = static_cast<double>(whole) < t.L_TRAIN.si ? static_cast<std::uint16_t>(whole + 1) : whole;
   const double steps = t.V_MAXTRAIN.si * 3.6 / 5.0;
   r.V_MAXTRAIN = static_cast<std::uint8_t>(steps + 0.999999);
-  r.M_LOADINGGAUGE = static_cast<std::uint8_t>(t.loading_gauge);
-  r.M_AXLELOADCAT = category.M_AXLELOADCAT;
+  r.M_LOADINGGAUGE = route.M_LOADINGGAUGE;
+  r.M_AXLELOADCAT = route.M_AXLELOADCAT;
   r.M_AIRTIGHT = t.airtight ? 1 : 0;
-  for (const train::TractionSystem& system : t.traction_systems)
+  for (const radio::RouteData::Traction& system : route.tractions)
     (void)r.tractions.push_back({system.M_VOLTAGE, system.NID_CTRACTION});  // both hold eight
   for (std::uint8_t NID_NTC = 0; NID_NTC < 64; ++NID_NTC)
     if ((national.available >> NID_NTC & 1u) != 0) (void)r.NID_NTC.push_back(NID_NTC);  // the first eight
