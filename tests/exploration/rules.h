@@ -10,7 +10,6 @@
 #include "port/outputs.h"
 #include "terms/mode.h"
 #include "terms/row.h"
-#include "terms/srs_version.h"
 
 // What must hold in every cycle of a unit, said by its inputs and outputs and by what trackside sent. Nothing of the
 // kernel is used. The trains of these worlds have an odometer without error.
@@ -68,7 +67,6 @@ struct Told {
 
 /// What is known of a unit between two cycles.
 struct Known {
-  SrsVersion srs = SrsVersion::v3_6_0;
   std::optional<Told> telling;  ///< while a group is passed or a message is answered
   Mode mode = Mode::NP;
   Level level = Level::L0;

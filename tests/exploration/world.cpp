@@ -105,7 +105,6 @@ void Runner::cycle() {
   kernel::step(w.state, *derived_, in, w.out);
   w.brakes.srs = w.state.srs;
   for (std::string& fault : brake_rules::look(w.brakes, in, w.out, true)) watch_.faults.push_back(std::move(fault));
-  w.known.srs = w.state.srs;
   for (std::string& fault : look(w.known, in, w.out, watch_.applied)) watch_.faults.push_back(std::move(fault));
   // 4.4.6.1.6, 4.4.15.1.5, 4.4.20.1.10: the alarm is memorised as a fault.
   const bool memorises = w.out.mode == Mode::SL || w.out.mode == Mode::NL || w.out.mode == Mode::PS;
