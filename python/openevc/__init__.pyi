@@ -109,6 +109,7 @@ def run(
     last_ma: int | None = ...,
     national_values: Named | None = ...,
     srs: str | None = ...,
+    utc: str | None = ...,
     output: str | os.PathLike[str] | None = ...,
 ) -> Run: ...
 def sweep(spec: Named, *, threads: int = ...) -> Sweep: ...

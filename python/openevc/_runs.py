@@ -64,13 +64,14 @@ class Run:
 
 
 def run(line=None, *, train=None, driver=None, odometer=None, seed=None, cycle_ms=None, last_ma=None,
-        national_values=None, srs=None, output=None):
+        national_values=None, srs=None, utc=None, output=None):
     """Drives a train along a line, as `evc run`.
 
     `line`, `train`, `national_values`: a dictionary, a file or the name of a shipped one; `driver`: "perfect", "late" or
-    "reckless"; `odometer`: "random", "over", "under" or {"error": share}; `output`: a folder for the files of `evc run -o`.
+    "reckless"; `odometer`: "random", "over", "under" or {"error": share}; `utc`: the on-board's clock at the begin, as
+    "2026-01-01T08:00:00Z"; `output`: a folder for the files of `evc run -o`.
     """
     result = _native.run({"line": line, "train": train, "driver": driver, "odometer": odometer, "seed": seed,
                           "cycle_ms": cycle_ms, "last_ma": last_ma, "national_values": national_values, "srs": srs,
-                          "output": output})
+                          "utc": utc, "output": output})
     return end(result["interruption"], Run(result))

@@ -67,6 +67,7 @@ def test_arguments_have_an_effect(late):
     assert evc.run(odometer={"error": 0.02}).summary["confidence_interval_violations"] == 0
     assert evc.run(last_ma=1).summary["distance_m"] < late.summary["distance_m"]
     assert evc.run(train={"brake_percentage": 100}, srs="4.0.0").summary["modes"]
+    assert '"clock":{"utc":"2026-01-01T08:00:00Z"}' in evc.run(utc="2026-01-01T08:00:00Z").inputs
 
 
 WRONG = [

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "io/date_time.h"
 #include "io/input_writer.h"
 #include "io/line_file.h"
 #include "io/named_document.h"
@@ -60,8 +61,8 @@ Asked read_asked(const py::dict& arguments) {
   const std::string train_file = io::put_named(document, "train", "trains", {document, kFile});
   const std::string values_file = io::put_named(document, "national_values", "national_values", {document, kFile});
   const io::JsonPlace root(document, kFile);
-  root.know_only(
-      {"line", "train", "national_values", "srs", "driver", "odometer", "seed", "cycle_ms", "last_ma", "output"});
+  root.know_only({"line", "train", "national_values", "srs", "driver", "odometer", "seed", "cycle_ms", "last_ma", "utc",
+                  "output"});
   // An error names the file that it is in.
   const auto place = [&](const char* member, const std::string& file) {
     return file.empty() ? root[member] : io::JsonPlace(document[member], file);
@@ -78,6 +79,7 @@ Asked read_asked(const py::dict& arguments) {
     asked.settings.seed = static_cast<std::uint64_t>(p->integer(0, std::numeric_limits<std::int64_t>::max()));
   if (const auto p = root.find("cycle_ms")) asked.settings.cycle_ms = p->integer(1, 1000);
   if (const auto p = root.find("last_ma")) asked.settings.last_ma = static_cast<int>(p->integer(0, 1000000));
+  if (const auto p = root.find("utc")) asked.settings.utc = io::read_utc(*p);
   if (const auto p = root.find("output")) asked.output = p->string();
   asked.configuration.cycle_ms = asked.settings.cycle_ms;
   asked.configuration.document = io::configuration_document(asked.configuration);
