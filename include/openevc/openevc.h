@@ -341,7 +341,7 @@ typedef struct openevc_inputs {
   /* A virtual balise cover (3.15.9): its country, marker (0 to 63) and validity period in days. */
   uint16_t VBC_NID_C;
   uint8_t VBC_NID_VBCMK, VBC_T_VBC;
-  uint32_t utc_given;       /* 1: `utc` is a reading of the clock in this cycle, for the display and records (3.18.5) */
+  uint32_t utc_given;       /* 1: `utc` is a reading of the clock in this cycle (3.18.5, 3.15.9.5) */
   uint32_t network;         /* NID_MN: 6 BCD digits, filled with F */
   int64_t utc;              /* seconds since 1970 */
   uint8_t radio_registered; /* 0 or 1, a state: a mobile terminal is registered with the radio network (3.5.6) */

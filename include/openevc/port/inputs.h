@@ -190,7 +190,7 @@ struct Inputs {
   /// Whether the engine was moved while the power was off, says cold movement detection; absent: not known (3.15.8).
   /// It counts in the cycle in which No Power is left.
   std::optional<bool> moved = {};
-  /// A reading of the clock in this cycle, seconds since 1970 (UTC): for the display and records only (3.18.5).
+  /// A reading of the clock in this cycle, seconds since 1970 (UTC): for display and records (3.18.5), covers (3.15.9).
   std::optional<std::int64_t> utc = {};
 };
 
