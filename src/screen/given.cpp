@@ -604,8 +604,8 @@ void touch_often(Scene& scene, ActionKind what, const JsonPlace& times, std::int
     if (!scene.player.touch(dmi::Action{what})) times.fail(expected);
 }
 
-/// So many pages has the window: those of the data view follow from the VBCs on them (015560 Table 45), those of train
-/// data from the fields.
+/// Gives the window this number of pages. Those of the data view follow from the VBCs on them (015560 Table 45); where
+/// they follow from the fields, as those of train data, another number is an error.
 void fill_pages(Scene& scene, const JsonPlace& pages) {
   const auto wanted = static_cast<std::size_t>(pages.integer(1, 99));
   const auto found = [&] { return std::size_t{dmi::pages_of(scene.player.state())}; };
