@@ -73,7 +73,7 @@ TEST_F(Cab, WithoutTheCompiledPageItSaysHowToGetIt) {
 
 // A page that was compiled for other bytes could not begin.
 TEST_F(Cab, AnOlderPageIsAnError) {
-  for (const char* page : {"<a>@given@</a>", "<a>@given 45564301@</a>"}) {
+  for (const char* page : {"<a>@given@</a>", "<a>@given 45564302@</a>"}) {
     write("cab/page.html", page);
     const std::string text = said({"", "", in_folder("cab.html")});
     EXPECT_EQ(text.rfind("2 ", 0), 0u) << text;
