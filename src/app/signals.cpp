@@ -16,6 +16,8 @@ extern "C" void delete_and_end(int signal) {
 }  // namespace
 
 void leave_no_parts_of_files() {
+  // A file beyond the limit of the caller (`ulimit -f`) is one that cannot be written, as on a full disk.
+  (void)::signal(SIGXFSZ, SIG_IGN);
   for (const int signal : io::kEndingSignals) {
     struct sigaction action {};
     if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
