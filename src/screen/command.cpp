@@ -99,7 +99,7 @@ class Replay {
     const std::int64_t cycle_ms = stream_.configuration().cycle_ms;
     const std::int64_t at = options_.at_ms.value_or(last_ms_);
     if (!before || at >= last_ms_ + cycle_ms)
-      return tl::unexpected(io::Diagnostic{options_.input, "",
+      return tl::unexpected(io::Diagnostic{options_.input.empty() ? "the shipped line" : options_.input, "",
                                            fmt::format("a journey that ends at {} s", seconds(last_ms_).si),
                                            fmt::format("a cycle at {} s", seconds(at).si)});
     if (!touch_until(at + 1)) return false;
