@@ -498,8 +498,8 @@ TEST_F(Program, a_full_disk_is_a_sentence_and_resume_goes_on) {
   const std::string spec = write("spec.json", curves_spec(20000));
   ASSERT_EQ(ended("sweep " + spec + " -o " + file("whole.sqlite")).exit_code, 1);
   // No file may grow beyond 400 blocks: writing fails as on a full disk.
-  const std::string command = "ulimit -f 400; " + program() + "sweep " + spec + " -o " +
-                              file("full.sqlite") + " >/dev/null 2>" + file("errors");
+  const std::string command = "ulimit -f 400; " + program() + "sweep " + spec + " -o " + file("full.sqlite") +
+                              " >/dev/null 2>" + file("errors");
   (void)write("full.sh", command);
   const int status = std::system(("bash " + file("full.sh")).c_str());
   EXPECT_EQ(WEXITSTATUS(status), 2);
