@@ -8,7 +8,14 @@ thread at a time computes.
 """
 import collections.abc as _abc
 
-from . import _native, decode, describe, encode
+try:
+    from . import _native
+except ImportError as _error:
+    from ._interpreter import explained as _explained
+
+    raise _explained(_error) from None
+
+from . import decode, describe, encode
 from ._curves import Curves, curves
 from ._errors import InputError, Interrupted
 from ._limits import limits

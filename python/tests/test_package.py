@@ -49,6 +49,25 @@ def test_stubs_have_the_classes_with_their_members():
     assert (PACKAGE / "py.typed").exists()
 
 
+def test_a_module_for_another_interpreter_is_named(tmp_path):
+    package = tmp_path / "openevc"
+    package.mkdir()
+    for file in PACKAGE.glob("*.py"):
+        (package / file.name).write_text(file.read_text())
+    for built, named in (("_native.cpython-27-x86_64-linux-gnu.so", "_native.cpython-27-x86_64-linux-gnu.so"),
+                         (None, "no module is built")):
+        for file in package.glob("_native.*"):
+            file.unlink()
+        if built:
+            (package / built).touch()
+        run = subprocess.run([sys.executable, "-B", "-c", "import openevc"], cwd=tmp_path, env={"PYTHONPATH": str(tmp_path)},
+                             capture_output=True, text=True)
+        assert run.returncode == 1
+        assert run.stderr.splitlines()[-1] == (
+            f"ImportError: openevc: found Python {sys.version_info[0]}.{sys.version_info[1]} ({sys.executable}), expected "
+            f"the interpreter that the package was built for: {named}")
+
+
 def test_everything_public_is_documented():
     for name in evc.__all__:
         assert getattr(evc, name).__doc__, name
