@@ -163,24 +163,30 @@ TEST_F(RbcHandover, ASleepingEngineCallsOnlyWhereItIsTold) {  // 3.15.1.3.1, Q_S
   EXPECT_TRUE(calls(Mode::FS, false));
 }
 
-TEST_F(RbcHandover, TheFrontEndChangesTheContact) {  // 3.15.1.3.7, 3.11.5.14
+TEST_F(RbcHandover, TheFrontEndChangesTheContact) {  // 3.15.1.3.7
   (void)run();
-  state.track.revocable_tsr_inhibited = true;
   here.est_front = at(1499.9);
-  here.max_safe_front = at(1499.9);
   (void)run();
   EXPECT_EQ(state.radio.contact, kFirst);
-  EXPECT_TRUE(state.track.revocable_tsr_inhibited);
-  here.max_safe_front = at(1500.0);
-  (void)run();
-  EXPECT_EQ(state.radio.contact, kFirst);
-  EXPECT_FALSE(state.track.revocable_tsr_inhibited);
-  state.track.revocable_tsr_inhibited = true;  // by the accepting RBC
   here.est_front = at(1500.0);
   (void)run();
   EXPECT_EQ(state.radio.contact, kSecond);
   EXPECT_EQ(state.contact_status, DataStatus::valid);
-  EXPECT_TRUE(state.track.revocable_tsr_inhibited);
+}
+
+TEST_F(RbcHandover, TheMaxSafeFrontEndEndsTheInhibitionOfRevocableRestrictions) {  // 3.11.5.14
+  bool& inhibited = state.track.revocable_tsr_inhibited;
+  (void)run();
+  inhibited = true;
+  here.max_safe_front = at(1499.9);
+  (void)run();
+  EXPECT_TRUE(inhibited);
+  here.max_safe_front = at(1500.0);
+  (void)run();
+  EXPECT_FALSE(inhibited);
+  inhibited = true;
+  (void)run_at(1501.0);
+  EXPECT_TRUE(inhibited) << "once: ordered beyond the border by the accepting RBC";
 }
 
 TEST_F(RbcHandover, TheMaxSafeFrontEndReportsTheBorder) {  // 3.15.1.3.1 b, 3.6.5.1.4 e, 4.5.2
