@@ -9,12 +9,12 @@ namespace {
 
 constexpr const char* kDigits = "16 digits: decimal ones, filled up with F";
 
-/// `of_trackside`: as it was sent, digits A to E are no spare value there (7.5.1.95).
+/// `of_trackside`: as it was sent, with F, which is no digit, in any place (7.5.1.95).
 std::uint64_t read_digits(const JsonPlace& place, bool of_trackside) {
   const std::string& text = place.string();
   const std::size_t filled = std::min(text.find_first_not_of("0123456789"), text.size());
-  const bool typed = text.find_first_not_of("Ff", filled) == std::string::npos;
-  if (text.size() != 16 || (!typed && !of_trackside)) place.fail(kDigits);
+  const char* const rest = of_trackside ? "0123456789Ff" : "Ff";
+  if (text.size() != 16 || text.find_first_not_of(rest, filled) != std::string::npos) place.fail(kDigits);
   std::uint64_t NID_RADIO = 0;
   for (const std::uint8_t byte : place.hex()) NID_RADIO = NID_RADIO << 8 | byte;
   return NID_RADIO;

@@ -1,10 +1,15 @@
 #include "lang/telegram.h"
 
 #include "lang/codec.h"
+#include "lang/decode.h"
 #include "lang/instances.h"
 #include "lang/message_codec.h"
 #include "lang/message_table.h"
 #include "lang/packet_codec.h"
+#include "lang/packets/packet_131.h"
+#include "lang/packets/packet_133.h"
+#include "lang/packets/packet_143.h"
+#include "lang/packets/packet_42.h"
 #include "terms/message_numbers.h"
 #include "terms/packet_numbers.h"
 
@@ -85,6 +90,30 @@ bool is_ignored(const Frame& frame, std::uint8_t nid) {
          frame.direction == Direction::to_train;
 }
 
+template <class P>
+std::uint64_t number_in(const PacketView& view) {
+  P p;
+  return decode(view, p) == Fault::none ? p.NID_RADIO.raw : 0;
+}
+/// The subscriber number that a train is to call, 0 without one. Its digits A to E are "not used" (7.5.1.95): no spare
+/// value (3.16.1.1.1), but no message that complies with the specification has one (3.16.1.1), and nobody can be called
+/// so.
+std::uint64_t number_to_call(const Frame& frame, const PacketView& view) {
+  if (frame.check != Check::all || frame.direction != Direction::to_train) return 0;
+  switch (view.NID_PACKET) {
+    case packet::session_management:
+      return number_in<Packet42>(view);
+    case packet::rbc_transition_order:
+      return number_in<Packet131>(view);
+    case packet::radio_infill_area:
+      return number_in<Packet133>(view);
+    case packet::session_management_riu:
+      return number_in<Packet143>(view);
+    default:
+      return 0;
+  }
+}
+
 /// Checks a packet whose end is known. False: not consistent, with the reason in `at`.
 bool check_found(const Frame& frame, const PacketView& view, const PacketCodec* codec, const PacketViews& before,
                  Instances& instances, FaultAt& at) {
@@ -100,6 +129,9 @@ bool check_found(const Frame& frame, const PacketView& view, const PacketCodec* 
              frame.direction == Direction::to_train && !before.empty() &&
              before.back().NID_PACKET != packet::virtual_balise_cover_marker) {
     fault = Fault::wrong_place;
+  } else if (const std::uint64_t number = number_to_call(frame, view); is_in(decimal_digits, number)) [[unlikely]] {
+    at = fault_in(Fault::spare_value, view.bit, nid, var::NID_RADIO::name, number);
+    return false;
   } else if (instances.add(view, nid)) {
     fault = Fault::duplicate_packet;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lang/decode.h"
@@ -18,6 +19,7 @@
 #include "lang/packets/packet_245.h"
 #include "lang/packets/packet_27.h"
 #include "lang/packets/packet_41.h"
+#include "lang/packets/packet_42.h"
 #include "lang/packets/packet_44.h"
 #include "lang/packets/packet_45.h"
 #include "lang/packets/packet_5.h"
@@ -85,6 +87,23 @@ TEST(Telegram, UnknownPacketWithLengthZero) {
     EXPECT_EQ(t.fault, Fault::length_too_small);
     EXPECT_EQ(t.at.bit, 60u);
     EXPECT_EQ(t.at.packet, 99);
+  }
+}
+
+TEST(Telegram, ADigitOfANumberThatIsNotUsedIsRefusedByATrain) {  // 7.5.1.95
+  for (const auto& [number, fault] :
+       {std::pair{0x0612'3456'78FF'FFFFu, Fault::none}, std::pair{0x0612'3456'7AFF'FFFFu, Fault::spare_value},
+        std::pair{kNo_number, Fault::spare_value}}) {
+    Packet42 p;
+    p.Q_DIR.raw = 2;
+    p.Q_RBC.raw = 1;
+    p.NID_RADIO.raw = number;
+    const WithBits made([&](BitWriter& out) { encode(out, p); });
+    const TelegramView t = made.scan();
+    EXPECT_EQ(t.fault, fault) << number;
+    EXPECT_EQ(t.at.value, fault == Fault::none ? 0 : number);
+    EXPECT_EQ(made.scan(Check::reading).fault, Fault::none) << number;
+    EXPECT_EQ(made.scan(Check::structure).fault, Fault::none) << number;
   }
 }
 

@@ -183,7 +183,8 @@ std::vector<std::uint64_t> codes_of(const Json& v) {
 std::vector<std::uint64_t> spare_codes_of(const Json& v) {
   std::set<std::uint64_t> codes;
   for (const Json& r : v.at("spare")) codes.insert({r[0].get<std::uint64_t>(), r[1].get<std::uint64_t>()});
-  // Of a subscriber number the digits A to E are "not used", which is no spare value (7.5.1.95).
+  // Of a subscriber number the digits A to E are "not used", which is no spare value (7.5.1.95);
+  // that a train refuses them is in faults_groups.scenario.
   if (v.at("kind") == "bcd" && v.at("name") != "NID_RADIO") codes.insert(all_ones(v.at("bits")) - 5);  // ...FFFA
   return {codes.begin(), codes.end()};
 }

@@ -66,6 +66,14 @@ bool take_order(State& s, radio::Outbox& outbox, Log log) {
   return true;
 }
 
+/// 3.18.4.3.1. An RBC without a number, which this unit cannot call, is none for the next start of mission, nor is the
+/// one that was left.
+void store_contact(State& s, const radio::Rbc& accepting) {
+  const bool has_number = accepting.NID_RADIO != radio::kNoNumber;
+  s.radio.contact = has_number ? std::optional(accepting) : std::nullopt;
+  s.contact_status = has_number ? DataStatus::valid : DataStatus::unknown;
+}
+
 procedures::rbc_handover::Inputs inputs_of(const State& s, const track::Here& here) {
   procedures::rbc_handover::Inputs in;
   in.now = s.now;
@@ -96,10 +104,7 @@ bool run_handover(State& s, const track::Here& here, radio::Outbox& outbox, Log 
   const bool in_rear = ordered || h.procedure.step == Step::announced;
   const procedures::rbc_handover::Result r = procedures::rbc_handover::step(h.procedure, in);
   if (ordered) log.note({.what = What::rbc_handover_ordered, .id = accepting.NID_RBC, .clause = "3.15.1.3.1"_srs});
-  if (r.change_contact) {
-    s.radio.contact = accepting;
-    s.contact_status = DataStatus::valid;
-  }
+  if (r.change_contact) store_contact(s, accepting);
   // 3.11.5.14: by the max safe front end; what the accepting RBC orders for the way beyond the border stays.
   if (in_rear && in.max_safe_front) s.track.revocable_tsr_inhibited = false;
   radio::Session& session = s.radio.partner(peer).session;
