@@ -337,6 +337,22 @@ TEST_F(AwaitedTrainData, EachValueCounts) {
   EXPECT_TRUE(waits_with([](RouteData& d) { EXPECT_TRUE(d.tractions.push_back({1, 0})); }));
 }
 
+TEST_F(AwaitedTrainData, EachTractionSystemCounts) {
+  const auto with = [](std::uint8_t M_VOLTAGE, std::uint16_t NID_CTRACTION) {
+    RouteData d = kOfNow;
+    EXPECT_TRUE(d.tractions.push_back({M_VOLTAGE, NID_CTRACTION}));
+    return d;
+  };
+  acknowledge(send(with(1, 5)));
+  acknowledge(send(with(1, 5)));
+  EXPECT_FALSE(waits());
+  send(with(2, 5));
+  EXPECT_TRUE(waits()) << "another voltage";
+  acknowledge(send(with(1, 5)));
+  send(with(1, 6));
+  EXPECT_TRUE(waits()) << "another system of that voltage";
+}
+
 /// However many are sent without an acknowledgement, that of the latest ends the waiting.
 TEST_F(AwaitedTrainData, MoreThanAreRemembered) {
   acknowledge(send(kOfNow));
