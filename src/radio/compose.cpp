@@ -149,7 +149,7 @@ void fill_train_data(const TrainDataReport& t, P& p) {
   p.M_AXLELOADCAT.raw = t.M_AXLELOADCAT;
   p.M_AIRTIGHT.raw = t.M_AIRTIGHT;
   p.N_AXLE.raw = t.N_AXLE;
-  for (const TrainDataReport::Traction& traction : t.tractions) {
+  for (const RouteData::Traction& traction : t.tractions) {
     lang::TrainPacket11_tractions e;
     e.M_VOLTAGE.raw = traction.M_VOLTAGE;
     e.NID_CTRACTION.raw = traction.NID_CTRACTION;

@@ -6,6 +6,7 @@
 #include "base/inplace_vector.h"
 #include "lang/schema.h"
 #include "radio/messages.h"
+#include "radio/radio.h"
 #include "terms/consist_length.h"
 #include "terms/level.h"
 #include "terms/mode.h"
@@ -37,11 +38,7 @@ struct TrainDataReport {
   std::uint8_t V_MAXTRAIN = 0;  ///< steps of 5 km/h
   std::uint8_t M_LOADINGGAUGE = 1, M_AXLELOADCAT = 0, M_AIRTIGHT = 0;
   std::uint16_t N_AXLE = 1023;  ///< 1023: unknown
-  struct Traction {
-    std::uint8_t M_VOLTAGE = 0;
-    std::uint16_t NID_CTRACTION = 0;
-  };
-  InplaceVector<Traction, 8> tractions;
+  InplaceVector<RouteData::Traction, 8> tractions;
   InplaceVector<std::uint8_t, 8> NID_NTC;  ///< fitted national systems
   std::optional<std::uint32_t> NID_OPERATIONAL;
   std::optional<ConsistLength> consist;  ///< absent: the safe consist length is not known

@@ -50,15 +50,10 @@ struct RouteData {
   struct Traction {
     std::uint8_t M_VOLTAGE = 0;
     std::uint16_t NID_CTRACTION = 0;
-    friend constexpr bool operator==(const Traction& a, const Traction& b) {
-      return a.M_VOLTAGE == b.M_VOLTAGE && a.NID_CTRACTION == b.NID_CTRACTION;
-    }
+    friend constexpr bool operator==(const Traction&, const Traction&) = default;
   };
   InplaceVector<Traction, 8> tractions;
-  friend constexpr bool operator==(const RouteData& a, const RouteData& b) {
-    return a.NC_CDTRAIN == b.NC_CDTRAIN && a.NC_TRAIN == b.NC_TRAIN && a.M_AXLELOADCAT == b.M_AXLELOADCAT &&
-           a.M_LOADINGGAUGE == b.M_LOADINGGAUGE && a.tractions == b.tractions;
-  }
+  friend constexpr bool operator==(const RouteData&, const RouteData&) = default;
 };
 /// Train data that were sent and are not acknowledged.
 struct SentTrainData {

@@ -21,8 +21,7 @@ radio::TrainDataReport train_report(const State& s, const train::TrainData& t, c
   r.M_LOADINGGAUGE = route.M_LOADINGGAUGE;
   r.M_AXLELOADCAT = route.M_AXLELOADCAT;
   r.M_AIRTIGHT = t.airtight ? 1 : 0;
-  for (const radio::RouteData::Traction& system : route.tractions)
-    (void)r.tractions.push_back({system.M_VOLTAGE, system.NID_CTRACTION});  // both hold eight
+  r.tractions = route.tractions;
   for (std::uint8_t NID_NTC = 0; NID_NTC < 64; ++NID_NTC)
     if ((national.available >> NID_NTC & 1u) != 0) (void)r.NID_NTC.push_back(NID_NTC);  // the first eight
   if (t.axles) r.N_AXLE = *t.axles;
