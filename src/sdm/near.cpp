@@ -35,9 +35,10 @@ bool in_list(const Cycle& c, const Target& t) { return t.kind != TargetKind::MRS
 /// Above it the Indication limit of the target is passed where the train is. With 4.0.0 feedback does not move that
 /// limit (3.13.9.3.6.5): `EBD` and `SBD`, speeds with the times of the moment, count without feedback only.
 Speed V_I(const Cycle& c, const Target& t, const LimitSpeeds& EBD, const std::optional<LimitSpeeds>& SBD) {
+  const Speed of_the_moment = SBD.has_value() ? std::min(EBD.V_I, SBD->V_I) : EBD.V_I;
+  if (!c.d.rules.indication_ignores_feedback) return of_the_moment;
   const TimesAsked q = asked(c, t);
-  if (!c.d.rules.indication_ignores_feedback || !q.feedback.has_value())
-    return SBD.has_value() ? std::min(EBD.V_I, SBD->V_I) : EBD.V_I;
+  if (!q.feedback.has_value()) return of_the_moment;
   const TargetTimes times = times_of(c.d, t, c.a, {std::nullopt, q.reduced_from});
   const Speed V =
       speeds_of_EBD(c.d.view(t.EBD), c.d.view(t.GUI), c.a, times.EBD, t.V_target, c.m.max_safe_front, c.d.fixed).V_I;
