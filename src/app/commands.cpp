@@ -77,6 +77,13 @@ void refuse_empty_arguments(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) refuse_empty_arguments(*command);
 }
 
+std::vector<std::string> editions() {
+  std::vector<std::string> names;
+  names.reserve(kSrsVersionRows.size());
+  for (const auto& row : kSrsVersionRows) names.emplace_back(row.name);
+  return names;
+}
+
 void add_run(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<run::RunOptions>();
   auto seed = std::make_shared<std::string>("1");
@@ -97,7 +104,7 @@ void add_run(CLI::App& app, int& exit_code) {
                           : "found " + given + ", expected a whole number from 0 to 18446744073709551615";
   });
   command->add_option("--srs", *srs, "edition of the on-board and its display; default: 3.6.0")
-      ->check(CLI::IsMember({"3.4.0", "3.6.0", "4.0.0"}));
+      ->check(CLI::IsMember(editions()));
   command->add_option("--utc", *utc, "the on-board's clock at the begin, as 2026-01-01T08:00:00Z; default: no clock")
       ->check([](const std::string& given) {
         return io::read_utc(given) ? std::string() : "found " + given + ", expected a time as 2026-01-01T08:00:00Z";
