@@ -76,6 +76,25 @@ void mark_TSR_steps(const State& s, sdm::Inputs& in) {
     }
 }
 
+/// Whether it counts for the MRSP in the mode (4.5.2).
+bool counts_in(Mode mode, MrspSource source) {
+  using modes::Function;
+  // In the order of MrspSource.
+  constexpr Function kOf[] = {Function::mrsp_ssp,   Function::mrsp_asp,  Function::mrsp_tsr,
+                              Function::mrsp_pbd,   Function::mrsp_lx,   Function::mrsp_signalling,
+                              Function::mrsp_train, Function::mrsp_mode, Function::mrsp_override};
+  static_assert(std::size(kOf) == terms::index(MrspSource::count));
+  return modes::active(kOf[terms::index(source)], mode);
+}
+
+/// Where the stored speed profile begins, in the modes where it counts (3.13.11.3).
+std::optional<Place> begin_of_ssp(const State& s) {
+  if (!counts_in(s.mode, MrspSource::SSP)) return std::nullopt;
+  for (const auto& step : s.track.ssp.steps)
+    if (step.value.known()) return step.from;
+  return std::nullopt;
+}
+
 /// The gradient from the train's rear end on, and the part where it is known (3.13.4.1.2). A gap in between counts as
 /// level.
 void take_gradient(sdm::GradientProfile& g, const track::Description& d, Place from) {
@@ -92,17 +111,6 @@ void take_gradient(sdm::GradientProfile& g, const track::Description& d, Place f
     if (end < steps.size()) g.known_to = steps[end].from;
   }
   g.default_for_TSR = d.default_gradient;
-}
-
-/// Whether it counts for the MRSP in the mode (4.5.2).
-bool counts_in(Mode mode, MrspSource source) {
-  using modes::Function;
-  // In the order of MrspSource.
-  constexpr Function kOf[] = {Function::mrsp_ssp,   Function::mrsp_asp,  Function::mrsp_tsr,
-                              Function::mrsp_pbd,   Function::mrsp_lx,   Function::mrsp_signalling,
-                              Function::mrsp_train, Function::mrsp_mode, Function::mrsp_override};
-  static_assert(std::size(kOf) == terms::index(MrspSource::count));
-  return modes::active(kOf[terms::index(source)], mode);
 }
 
 void add_limit(track::MrspQuery& query, Speed v) {
@@ -167,6 +175,7 @@ void build(Derived::Curves& curves, const State& s, const TrainSignals& train, c
   compute_PBD(s.track, curves);  // with the current rail condition (3.11.11.4)
   track::mrsp(in.mrsp, s.track, query_of(s, curves, basis, Set<MrspSource>::of_bits(~std::uint64_t{0})));
   mark_TSR_steps(s, in);
+  in.track_description_from = begin_of_ssp(s);
   in.supervise_targets = !supervises(s, modes::Supervision::ceiling);
   in.authority = supervises(s, modes::Supervision::full) ? authority_of(basis) : sdm::Authority{};
   in.SR_end = supervises(s, modes::Supervision::mrsp_and_sr_distance) ? SR_end(s.staff_responsible) : std::nullopt;

@@ -12,9 +12,10 @@ constexpr Speed kMargin{100.0 / 3.6};
 /// Room kept for the curves of the end of authority and of the SR distance.
 constexpr std::size_t kReserved = 6 * kMaxKnots;
 
-Speed highest(const Mrsp& mrsp) {
+/// The highest speed from step `n` on.
+Speed highest(const Mrsp& mrsp, std::size_t n = 0) {
   Speed V{};
-  for (const auto& step : mrsp.steps) V = std::max(V, step.value);
+  for (; n < mrsp.size(); ++n) V = std::max(V, mrsp.steps[n].value);
   return V;
 }
 
@@ -168,9 +169,15 @@ class Builder {
   /// the next element is before it. `skip_below`: elements slower than the LOA's speed (3.13.11.7.1).
   Reference reference(const Target& t, bool SBD, Speed skip_below) const;
 
+  /// Where the first element of the MRSP begins.
+  Place start_of_MRSP() const {
+    const Place first = in_.mrsp.steps.front().from;
+    return std::max(first, in_.track_description_from.value_or(first));
+  }
+
   bool below_MRSP_at_start(const Target& t, bool SBD) const {
-    const Place start = in_.mrsp.steps.front().from;
-    const Speed V = in_.mrsp.steps.front().value;
+    const Place start = start_of_MRSP();
+    const Speed V = in_.mrsp.at(start);
     const CurveView c = d_.view(SBD ? t.SBD : t.EBD);
     const CurveView g = d_.view(SBD ? t.GUI_EOA : t.GUI);
     return c.speed_at(start) < V || (g.exists() && g.speed_at(start) < V);
@@ -197,12 +204,12 @@ Builder::Reference Builder::reference(const Target& t, bool SBD, Speed skip_belo
   };
   const auto& steps = in_.mrsp.steps;
   std::optional<Place> known;  // d_I of element n, from the step before
-  for (std::size_t n = 0; n < steps.size() && steps[n].from < t.d_target; ++n) {
+  for (std::size_t n = in_.mrsp.index_at(start_of_MRSP()); n < steps.size() && steps[n].from < t.d_target; ++n) {
     const Speed V = steps[n].value;
     const std::optional<Place> of_this = known;
     known.reset();
     if (V < skip_below) continue;
-    const Place a = steps[n].from;
+    const Place a = std::max(steps[n].from, start_of_MRSP());
     const Place here = of_this.has_value() ? *of_this : d_I(V);
     const bool last = n + 1 == steps.size();
     if (a < here && (last || here <= steps[n + 1].from)) return {here, V};
@@ -215,7 +222,7 @@ Builder::Reference Builder::reference(const Target& t, bool SBD, Speed skip_belo
 
 void Builder::pre_indications() {
   if (!d_.rules.pre_indication || in_.mrsp.empty()) return;
-  const Place start = in_.mrsp.steps.front().from;
+  const Place start = start_of_MRSP();
   for (Target& t : d_.targets) {
     const auto place = [&](bool SBD) -> std::optional<Place> {
       const Reference r = reference(t, SBD, t.kind == TargetKind::LOA ? t.V_target : Speed{0.0});
@@ -230,7 +237,8 @@ void Builder::pre_indications() {
       t.preindication_passed_at_once =
           t.preindication_passed_at_once || before(t.d_preindication_SBD) || below_MRSP_at_start(t, true);
     // 3.4.0: no braking for an LOA faster than all elements before it.
-    if (t.kind == TargetKind::LOA && !t.d_preindication_EBD.has_value() && t.V_target >= highest(in_.mrsp))
+    if (t.kind == TargetKind::LOA && !t.d_preindication_EBD.has_value() &&
+        t.V_target >= highest(in_.mrsp, in_.mrsp.index_at(start)))
       t.preindication_passed_at_once = false;
   }
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <tuple>
 
 #include "sdm/evaluate.h"
 #include "sdm/locations.h"
@@ -344,6 +345,49 @@ TEST(ReferenceLocations, ACurveThatHasTheSpeedOfTheMRSPAtItsStartIsNotBelowIt) {
       rebuild(*d, in);
       EXPECT_EQ(d->perturbation.passed_at_once, start > 4550.0);
     }
+}
+
+TEST(ReferenceLocations, TheMRSPInRearOfTheTrackDescriptionDoesNotCount) {
+  auto d = place_of_work();
+  auto cut = place_of_work();
+  int authorities = 0;
+  int differ = 0;
+  const auto places = [](const Perturbation& p) { return std::tuple(p.from_EBD, p.from_SBD, p.passed_at_once); };
+  for (int i = 0; i < cases(600); ++i) {
+    SCOPED_TRACE(i);
+    Dice dice(static_cast<std::uint64_t>(i) + 90000);
+    Inputs in = random_inputs(dice, i);
+    if (in.mrsp.empty() || in.authority.kind == Authority::Kind::none) continue;
+    ++authorities;
+    in.V_top = Speed{120.0};
+    rebuild(*d, in);
+    const Perturbation whole = d->perturbation;
+    const std::size_t n = static_cast<std::size_t>(dice.integer(0, static_cast<int>(in.mrsp.size()) - 1));
+    in.track_description_from = in.mrsp.steps[n].from + Distance{dice.real(-500.0, 1000.0)};
+    in.revision += 1000000;
+    rebuild(*d, in);
+    differ += places(d->perturbation) != places(whole);
+
+    const Place start = std::max(in.mrsp.steps.front().from, *in.track_description_from);
+    Mrsp rest;
+    ASSERT_TRUE(rest.append(start, in.mrsp.at(start)));
+    for (const auto& step : in.mrsp.steps) {
+      if (step.from <= start) continue;
+      ASSERT_TRUE(rest.append(step.from, step.value));
+    }
+    in.mrsp = rest;
+    in.track_description_from.reset();
+    in.revision += 1000000;
+    rebuild(*cut, in);
+    EXPECT_EQ(places(d->perturbation), places(cut->perturbation));
+    const Target& of_whole = d->targets.back();  // that of the end of authority
+    const Target& of_rest = cut->targets.back();
+    EXPECT_EQ(of_whole.d_preindication_EBD, of_rest.d_preindication_EBD);
+    EXPECT_EQ(of_whole.d_preindication_SBD, of_rest.d_preindication_SBD);
+    EXPECT_EQ(of_whole.preindication_passed_at_once, of_rest.preindication_passed_at_once);
+  }
+  EXPECT_GT(authorities, 100);
+  EXPECT_GT(differ, 20);
 }
 
 // ---- Release speed (3.13.9.4) --------------------------------------------------------------------------------------

@@ -52,6 +52,9 @@ struct Inputs {
   /// the restrictions in it, by mode.
   Mrsp mrsp;
   std::array<bool, kMrspSteps> mrsp_due_to_TSR{};  // by step
+  /// Where the stored track description begins: there begins the first element of the MRSP for pre-indication and
+  /// perturbation locations (3.13.11.3, 3.13.11.9). Absent, or in rear of the first step: with the first step.
+  std::optional<Place> track_description_from;
   /// Whether the decreases of the MRSP are targets (FS, LS, OS, SR, UN; not SH, RV).
   bool supervise_targets = true;
   Authority authority;
