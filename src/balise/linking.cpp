@@ -179,8 +179,13 @@ struct Placed {
   Distance correction{};   // added to all places, so that the current LRBG keeps its place
 };
 
+/// The train has run back behind the group, whose place is exact as that of the LRBG: it will pass it again.
+bool lies_ahead(const CurrentLrbg& lrbg, const PlaceInterval& antenna) {
+  return lrbg.place - antenna.est > kDetectionZone;
+}
+
 Placed place_links(const LinkingState& linking, const LinkingList& list, const LinkingReference& reference,
-                   const std::optional<CurrentLrbg>& current) {
+                   const PlaceInterval& antenna, const std::optional<CurrentLrbg>& current) {
   Placed placed;
   Place place = reference.place;
   std::uint16_t country = reference.NID_C;
@@ -199,7 +204,7 @@ Placed place_links(const LinkingState& linking, const LinkingList& list, const L
     const bool is_found = linking.found && passed_at(link, reference, linking.found->id, linking.found->place);
     // 3.6.4.3: the list holds the reference and the LRBG, so their distance by linking is used.
     if (is_current) placed.correction = current->place - link.place;
-    if (is_current || is_found) placed.passed = placed.links.size();
+    if (is_current ? !lies_ahead(*current, antenna) : is_found) placed.passed = placed.links.size();
   }
   for (Link& link : placed.links) link.place = link.place + placed.correction;
   return placed;
@@ -209,7 +214,7 @@ Placed place_links(const LinkingState& linking, const LinkingList& list, const L
 
 Stored store(LinkingState& linking, const LinkingList& list, const LinkingReference& reference,
              const PlaceInterval& antenna, const std::optional<CurrentLrbg>& current) {
-  const Placed placed = place_links(linking, list, reference, current);
+  const Placed placed = place_links(linking, list, reference, antenna, current);
   Stored stored{reference.place + placed.correction, true};
   if (reference.infill) {  // 3.7.3.1 n: groups announced up to the infill reference are kept
     linking.links.erase_if([&](const Link& link) { return link.place > stored.reference; });

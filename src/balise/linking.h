@@ -91,10 +91,10 @@ struct LinkingState {
 };
 
 /// Stores linking that passed the filters of 4.8; replaces the stored list from the reference on (3.7.3.1 m, n). Groups
-/// already found and windows that have ended are left out. Returns the place of the reference: it differs from the
-/// given one if the list contains the current LRBG `current`, because then the distance by linking is used (3.6.4.3);
-/// all information of the message is placed relative to it. Not `complete`: the list did not fit, its farthest groups
-/// are left out.
+/// already found and windows that have ended are left out, but not the LRBG where the train has run back behind it.
+/// Returns the place of the reference: it differs from the given one if the list contains the current LRBG `current`,
+/// because then the distance by linking is used (3.6.4.3); all information of the message is placed relative to it. Not
+/// `complete`: the list did not fit, its farthest groups are left out.
 struct Stored {
   Place reference;
   bool complete = true;

@@ -99,6 +99,24 @@ TEST(Linking, GroupsPassedAreLeftOutOfAList) {
   EXPECT_EQ(linking.previous, Place{300_m});
 }
 
+TEST(Linking, TheLrbgIsExpectedAgainWhereTheTrainHasRunBackBehindIt) {  // 3.4.4.4.5.1
+  LinkingList list;
+  static_cast<void>(list.entries.push_back(entry(100, 1)));
+  static_cast<void>(list.entries.push_back(entry(100, 2)));
+  const auto expects = [&](double antenna) {
+    LinkingState linking;
+    linking.found = LinkingState::Found{{426, 1}, Place{100_m}};
+    const Stored stored = store(linking, list, {{426, 9}, Place{}, 426, true, false},
+                                at(antenna - 5, antenna, antenna + 5), CurrentLrbg{{426, 1}, Place{103_m}});
+    EXPECT_EQ(stored.reference, Place{3_m});
+    return expected(linking)->id.NID_BG;
+  };
+  EXPECT_EQ(expects(110), 2);
+  EXPECT_EQ(expects(102), 2) << "still under the antenna";
+  EXPECT_EQ(expects(101), 1);
+  EXPECT_EQ(expects(60), 1);
+}
+
 TEST(Linking, AListOverTheCurrentLrbgPlacesItsReferenceByLinking) {
   LinkingState linking;
   LinkingList list;
