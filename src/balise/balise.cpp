@@ -28,13 +28,6 @@ bool too_far(const OpenGroup& open, const OdometerReading& counter) {
   return between(counter, open.last) > kBaliseSpacing + kSpacingMargin;
 }
 
-/// Finishes the open group. A group of which only telegrams of too new a version were read is not evaluated.
-void close(State& state, const Situation& situation, Outcome& outcome) {
-  const bool empty = state.open->identified && state.open->telegrams.empty() && !state.open->undecoded;
-  if (!empty) judge_message(state.linking, *state.open, situation, outcome);
-  state.open.reset();
-}
-
 bool seen(const OpenGroup& open, std::uint8_t N_PIG) { return ((open.seen >> N_PIG) & 1u) != 0; }
 
 /// The same balise is still under the antenna (3.16.2.1.1: one telegram).
@@ -59,11 +52,46 @@ OpenGroup& opened(State& state, const Situation& situation) {
   return *state.open;
 }
 
+/// All were read, or the last one in the direction of passage: those before it are missed (3.16.2.2.2 b).
+bool complete(const OpenGroup& open) {
+  const unsigned all = (1u << (open.N_TOTAL + 1u)) - 1u;
+  if ((open.seen & all) == all) return true;
+  if (open.telegrams.size() < 2) return false;
+  const bool rising = open.telegrams.back().N_PIG > open.telegrams.front().N_PIG;
+  return open.telegrams.back().N_PIG == (rising ? open.N_TOTAL : 0);
+}
+
+/// The train turned over the last balise of a group and turned again: with the balise read again it goes on from
+/// there as after the first time, and no other balise of the group is missed (3.16.2.2.2). `counter`: where it is now.
+bool read_again(const State& state, const OdometerReading& counter) {
+  const OpenGroup& open = *state.open;
+  if (!state.last || !open.identified || open.undecoded || open.telegrams.size() != 1) return false;
+  const LastBalise& last = *state.last;
+  const Telegram& telegram = open.telegrams.front();
+  const bool same = last.id == open.id && last.N_PIG == telegram.N_PIG && open.seen == (1u << telegram.N_PIG) &&
+                    between(last.counter, telegram.counter) < kSameBalise;
+  return same && (counter.nominal > last.counter.nominal) == last.counter_rose;
+}
+
+/// Finishes the open group when the counter is at `counter`. A group of which only telegrams of too new a version were
+/// read is not evaluated.
+void close(State& state, const OdometerReading& counter, const Situation& situation, Outcome& outcome) {
+  const OpenGroup& open = *state.open;
+  const bool empty = open.identified && open.telegrams.empty() && !open.undecoded;
+  if (!empty && !read_again(state, counter)) judge_message(state.linking, *state.open, situation, outcome);
+  if (open.identified && open.telegrams.size() > 1 && complete(open)) {
+    const Telegram& last = open.telegrams.back();
+    state.last =
+        LastBalise{open.id, last.N_PIG, last.counter, last.counter.nominal > open.telegrams.front().counter.nominal};
+  }
+  state.open.reset();
+}
+
 /// The group to which the telegram belongs; closes a different open group first.
 OpenGroup& group_of(State& state, const Header& header, const Reading& reading, const Situation& situation,
                     Outcome& outcome) {
   if (state.open && (!continues(*state.open, header) || too_far(*state.open, reading.counter)))
-    close(state, situation, outcome);
+    close(state, reading.counter, situation, outcome);
   OpenGroup& open = opened(state, situation);
   if (!open.identified) {
     open.identified = true;
@@ -77,15 +105,6 @@ OpenGroup& group_of(State& state, const Header& header, const Reading& reading, 
   open.last = reading.counter;
   open.last_antenna = reading.antenna;
   return open;
-}
-
-/// All were read, or the last one in the direction of passage: those before it are missed (3.16.2.2.2 b).
-bool complete(const OpenGroup& open) {
-  const unsigned all = (1u << (open.N_TOTAL + 1u)) - 1u;
-  if ((open.seen & all) == all) return true;
-  if (open.telegrams.size() < 2) return false;
-  const bool rising = open.telegrams.back().N_PIG > open.telegrams.front().N_PIG;
-  return open.telegrams.back().N_PIG == (rising ? open.N_TOTAL : 0);
 }
 
 bool covered(const State& state, const Header& header, Duration now) {
@@ -112,16 +131,17 @@ bool dropped(State& state, const Header& header, const Reading& reading, const S
   }
   if (header.X() <= situation.highest_X) return false;
   // Ignored, but not missed: its balise was detected.
-  group_of(state, header, reading, situation, outcome);
+  OpenGroup& open = group_of(state, header, reading, situation, outcome);
+  if (header.N_PIG == 0) open.ignored_reference = OpenGroup::Encounter{reading.counter, reading.antenna};
   tell(outcome, What::telegram_version_new, header.id, situation.level_1_2_3 ? "3.17.3.5 d"_srs : "3.17.3.5 e"_srs);
   if (situation.level_1_2_3) outcome.version_too_high = true;
-  if (complete(*state.open)) close(state, situation, outcome);
+  if (complete(*state.open)) close(state, reading.counter, situation, outcome);
   return true;
 }
 
 void note_undecodable(State& state, const Reading& reading, const Situation& situation, Outcome& outcome) {
   if (situation.against_permitted_movement) return;  // 3.14.3.6
-  if (state.open && too_far(*state.open, reading.counter)) close(state, situation, outcome);
+  if (state.open && too_far(*state.open, reading.counter)) close(state, reading.counter, situation, outcome);
   OpenGroup& open = opened(state, situation);
   tell(outcome, What::telegram_not_decoded, open.id, "3.16.1.1"_srs);
   open.undecoded = true;
@@ -155,12 +175,12 @@ void read(State& state, const Reading& reading, const Situation& situation, Outc
   if (header.N_PIG == 0)
     open.judgement =
         judge(state.linking, header.id, header.Q_LINK, reading.antenna, situation.linking_checked, outcome);
-  if (complete(open)) close(state, situation, outcome);
+  if (complete(open)) close(state, reading.counter, situation, outcome);
 }
 
 void close_overdue(State& state, const OdometerReading& counter, const Situation& situation, Outcome& outcome) {
   begin(outcome);
-  if (state.open && too_far(*state.open, counter)) close(state, situation, outcome);
+  if (state.open && too_far(*state.open, counter)) close(state, counter, situation, outcome);
 }
 
 void expect(State& state, const PlaceInterval& antenna, const Situation& situation, Outcome& outcome) {
@@ -177,7 +197,10 @@ void expect(State& state, const PlaceInterval& antenna, const Situation& situati
   if (situation.srs == SrsVersion::v4_0_0) end_with_last_window(state.linking);
 }
 
-void abandon(State& state) { state.open.reset(); }
+void abandon(State& state) {
+  state.open.reset();
+  state.last.reset();
+}
 
 bool set_cover(State& state, const Cover& cover) {
   remove_cover(state, cover.NID_VBCMK, cover.NID_C);

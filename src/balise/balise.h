@@ -60,15 +60,30 @@ struct OpenGroup {
   bool undecoded = false;        // a balise was detected but not decoded
   bool header_mismatch = false;  // N_TOTAL or Q_LINK differ within the group
   Judgement judgement;           // of its reference balise by linking
-  Duration first_passed{};       // when its first balise was encountered
-  OdometerReading last;          // its last balise
+  /// Its reference balise was encountered, but its telegram is ignored (3.17.3.5): where that was.
+  struct Encounter {
+    OdometerReading counter;
+    PlaceInterval antenna;
+  };
+  std::optional<Encounter> ignored_reference;
+  Duration first_passed{};  // when its first balise was encountered
+  OdometerReading last;     // its last balise
   PlaceInterval last_antenna;
   std::uint8_t seen = 0;  // bit n: N_PIG n was read, used or not
   InplaceVector<Telegram, kBalises> telegrams;
 };
 
+/// The last balise of the group that was read last, of more than one.
+struct LastBalise {
+  GroupId id;
+  std::uint8_t N_PIG = 0;
+  OdometerReading counter;
+  bool counter_rose = true;  // while the group was read
+};
+
 struct State {
   std::optional<OpenGroup> open;
+  std::optional<LastBalise> last;
   LinkingState linking;
   InplaceVector<Cover, kCovers> covers;
 };

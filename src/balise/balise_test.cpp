@@ -152,6 +152,49 @@ TEST(Balise, TurningWithinAGroupBeginsANewPassage) {
   EXPECT_EQ(u.groups.size(), 1u);
 }
 
+TEST(Balise, TheLastBaliseReadAgainIsNoPassageOfItsOwn) {  // 3.16.2.2.2: none is missed
+  for (const bool nominal : {true, false}) {
+    Train t;
+    t.pass(13, 5, nominal);
+    const double last = nominal ? 16 : 13;
+    const Balise again{5, nominal ? 1u : 0u, 1};
+    t.read_at(last - 0.4, again);  // after it rolled back over it
+    t.run_to(last + 30);
+    EXPECT_EQ(t.groups.size(), 1u);
+    EXPECT_EQ(t.reaction, Reaction::none);
+    // Another group follows at once.
+    t.pass(60, 6, nominal);
+    t.read_at(nominal ? 63 : 60, Balise{6, again.N_PIG, 1});
+    t.pass(70, 7, nominal);
+    ASSERT_EQ(t.groups.size(), 3u);
+    EXPECT_TRUE(t.last().accepted);
+    EXPECT_EQ(t.reaction, Reaction::none);
+  }
+}
+
+TEST(Balise, BackOverTheLastBaliseTheOtherOnesFollowOrAreMissed) {
+  Train t;
+  t.pass(13, 5);
+  t.read_at(15.8, Balise{5, 1, 1});
+  t.read_at(13, Balise{5, 0, 1});
+  ASSERT_EQ(t.groups.size(), 2u);
+  EXPECT_TRUE(t.last().accepted);
+  EXPECT_EQ(t.last().crossing, Direction::reverse);
+  Train u;
+  u.pass(13, 5);
+  u.read_at(15.8, Balise{5, 1, 1});
+  u.run_to(-10);
+  ASSERT_EQ(u.groups.size(), 2u);
+  EXPECT_EQ(u.last().finding, Finding::balise_missed);
+  // Far from where it was read it is another one.
+  Train v;
+  v.pass(13, 5);
+  v.read_at(18, Balise{5, 1, 1});
+  v.run_to(60);
+  ASSERT_EQ(v.groups.size(), 2u);
+  EXPECT_EQ(v.last().finding, Finding::balise_missed);
+}
+
 TEST(Balise, OrientationAgainstTheCounter) {
   Train t;
   t.counter_sense = -1;
@@ -219,6 +262,27 @@ TEST(Telegrams, Row35And36TooNewAVersion) {
     ASSERT_EQ(t.groups.size(), 1u);
     EXPECT_TRUE(t.last().accepted);
   }
+}
+
+TEST(Telegrams, AReferenceBaliseThatIsIgnoredIsTheOriginAllTheSame) {  // 3.4.2.2.1
+  Train t;
+  Balise b{6, 0, 2};
+  b.M_VERSION = 0x30;
+  t.read_at(40, b);
+  t.read_at(43, Balise{6, 1, 2});
+  t.read_at(46, Balise{6, 2, 2});
+  ASSERT_EQ(t.groups.size(), 1u);
+  EXPECT_TRUE(t.last().accepted);
+  EXPECT_EQ(t.last().counter.nominal.from_origin.si, 40);
+  EXPECT_EQ(t.last().antenna.est.from_origin.si, 40);
+  // Of duplicates the one that was received is it (3.4.2.2.1.1).
+  b = Balise{7, 0, 2, 1, 1};
+  b.M_VERSION = 0x30;
+  t.read_at(80, b);
+  t.read_at(83, Balise{7, 1, 2, 1, 2});
+  t.read_at(86, Balise{7, 2, 2});
+  ASSERT_EQ(t.groups.size(), 2u);
+  EXPECT_EQ(t.last().counter.nominal.from_origin.si, 83);
 }
 
 TEST(Telegrams, Row39UnknownPacketOfALaterYIsSkipped) {

@@ -252,9 +252,15 @@ void describe(Group& group, const OpenGroup& open, const Telegram* reference) {
   group.id = open.id;
   group.identified = open.identified;
   group.linked = open.identified && open.Q_LINK;
-  group.counter = reference != nullptr ? reference->counter : open.last;
   group.first_passed = open.first_passed;
-  if (reference != nullptr) group.antenna = reference->antenna;
+  group.counter = open.last;
+  if (reference != nullptr) {
+    group.counter = reference->counter;
+    group.antenna = reference->antenna;
+  } else if (open.ignored_reference) {  // it is ignored, and the origin of the group all the same (3.4.2.2.1)
+    group.counter = open.ignored_reference->counter;
+    group.antenna = open.ignored_reference->antenna;
+  }
 }
 
 void finish(Group& group, const OpenGroup& open) {
@@ -279,6 +285,8 @@ void complete_judgement(LinkingState& linking, OpenGroup& open, const Situation&
   if (judgement.verdict != Judgement::Verdict::unjudged && !announced_since(linking, open)) return;
   if (const Telegram* reference = location_reference(open))
     judgement = judge(linking, open.id, true, reference->antenna, situation.linking_checked, outcome);
+  else if (open.ignored_reference)
+    judgement = judge(linking, open.id, true, open.ignored_reference->antenna, situation.linking_checked, outcome);
   else
     judgement = judge_without_reference(linking, open.id, open.last_antenna, situation.linking_checked);
 }
