@@ -384,6 +384,23 @@ TEST(Position, AGroupReadAgainMovesToTheEndAndKeepsWhatIsKnownOfIt) {
   EXPECT_EQ(find(s, GroupId{426, 2})->place.from_origin.si, 98);
 }
 
+TEST(Position, NothingLeadsFromAnInvalidPositionToTheNextGroup) {  // 3.6.1.4, 3.4.2.3.3.3
+  for (const bool moved : {false, true}) {
+    State s;
+    update(s, moving(exact(0)), 0_s);
+    relocate(s, passage(1, exact(0)));
+    invalidate(s);
+    if (!moved) validate(s);
+    Passage single = passage(2, exact(100));
+    single.single = true;
+    single.counter_against_group = Direction::unknown;
+    relocate(s, single);
+    EXPECT_EQ(lrbg(s)->previous.has_value(), !moved);
+    EXPECT_EQ(find(s, GroupId{426, 1}) != nullptr, !moved);
+    EXPECT_EQ(s.status, DataStatus::valid);
+  }
+}
+
 TEST(Position, Status) {
   State s;
   update(s, moving(exact(0)), 0_s);

@@ -75,6 +75,8 @@ Relocated relocate(State& state, const Passage& passage) {
   const Place place = passage.link_place ? *passage.link_place : estimated;
   const Distance shift = place - estimated;
   state.offset += shift;
+  // 3.6.1.4: neither a distance nor a movement (3.4.2.3.3.2) leads from the groups of an invalid position to this one.
+  if (state.status == DataStatus::invalid) state.references.clear();
   Reference reference = reference_for(state, passage, place);
   const std::optional<std::size_t> known = index_of(state, passage.id);
   if (known) take_over(reference, state.references[*known]);
