@@ -32,17 +32,19 @@ void refer(Information& information, const State& state, const lang::MessageToTr
 }
 
 template <class M>
-void shift_reference_of(Information& information, const lang::MessageToTrainView& view) {
+Distance D_REF_of(const lang::MessageToTrainView& view) {
   M m;
-  if (lang::decode(view, m) != lang::Fault::none) return;
-  const Distance d = lang::metres(m.Q_SCALE, m.D_REF);
-  information.reference =
-      information.orientation == Direction::reverse ? information.reference - d : information.reference + d;
+  return lang::decode(view, m) == lang::Fault::none ? lang::metres(m.Q_SCALE, m.D_REF) : Distance{};
 }
-/// The reference of messages 4 and 33 is D_REF away from the LRBG (3.6.3.2.5).
-void shift_reference(Information& information, const lang::MessageToTrainView& view) {
-  if (view.NID_MESSAGE == message::movement_authority_shifted) shift_reference_of<lang::Message33>(information, view);
-  if (view.NID_MESSAGE == message::sm_authorised) shift_reference_of<lang::Message4>(information, view);
+/// The reference of messages 4 and 33 is D_REF away from the LRBG (3.6.3.2.5), in its nominal direction (7.5.1.22).
+Distance D_REF_of(const lang::MessageToTrainView& view) {
+  if (view.NID_MESSAGE == message::movement_authority_shifted) return D_REF_of<lang::Message33>(view);
+  if (view.NID_MESSAGE == message::sm_authorised) return D_REF_of<lang::Message4>(view);
+  return {};
+}
+void shift_reference(Information& information, Distance D_REF) {
+  information.reference =
+      information.orientation == Direction::reverse ? information.reference - D_REF : information.reference + D_REF;
 }
 
 /// Nothing of the message can be used.
@@ -93,6 +95,9 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   information.time = radio::time_of(view.T_TRAIN.raw, s.now);  // timers count from the time stamp (3.8.4.2.1)
   refer(information, s, view);
   if (!information.located && has_place(view.NID_MESSAGE)) return refuse(r, view, "3.6.2.2.2"_srs);
+  const Distance D_REF = D_REF_of(view);
+  const bool directed = D_REF != Distance{};
+  if (directed && information.orientation == Direction::unknown) return refuse(r, view, "3.6.3.1.4"_srs);
   std::optional<ManoeuvreBefore> before;
   if (view.NID_MESSAGE == message::sm_authorised) {
     const ManoeuvreAuthorisation judged = judge_manoeuvre(r, information, view);
@@ -102,7 +107,7 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
     information.min_safe_front = r.out.here.min_safe_front;
     refer(information, s, view);  // against the orientation of now
   }
-  shift_reference(information, view);
+  shift_reference(information, D_REF);
   (void)gather(information, view.packets, &r.log);  // all packets of a message fit
   drop_superseded(information, &r.log);
   const Waiting waiting = evaluate(r, information);
