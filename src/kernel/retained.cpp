@@ -134,6 +134,15 @@ void restore_to_be_revalidated(State& s, const Retained& r) {
   if (r.position->cab_B) see_from_other_cab(s, Cab::B);
 }
 
+/// Where the engine is, seen from its cab: without power there are no vehicles in front of it, and no manoeuvre against
+/// its orientation (3.6.1.3.4, 3.6.1.5.1 of 4.0.0).
+position::State position_of_engine(const State& s) {
+  position::State position = s.position;
+  if (s.manoeuvre.opposite) position::turn(position);
+  position.ahead = {};
+  return position;
+}
+
 }  // namespace
 
 Retained retained(const State& s) noexcept {
@@ -153,7 +162,7 @@ Retained retained(const State& s) noexcept {
     for (const modes::OrderedLevel& l : *s.level_table) (void)r.level_table.push_back(kept_of(l));
   r.level_order = order_kept(s);
   if (s.radio.contact) r.contact = address_of(*s.radio.contact);
-  if (const auto position = position::kept(s.position, s.L_engine)) {
+  if (const auto position = position::kept(position_of_engine(s), s.L_engine)) {
     r.position = position_of(*position);
     r.position->cab_B = s.cab == Cab::B;
   }

@@ -24,6 +24,24 @@ TEST(Retention, AUnitTakesWhatIsRead) {
   EXPECT_TRUE(retained(*state) == r);
 }
 
+TEST(Retention, TheFrontEndIsThatOfTheEngineAtItsCab) {  // 3.6.1.3.4, 3.6.1.5.1 of 4.0.0
+  const auto state = std::make_unique<State>();
+  const auto derived = std::make_unique<Derived>();
+  Config config;
+  config.srs = SrsVersion::v4_0_0;
+  for (const bool cab_B : {false, true}) {
+    Retained r = everything_retained();
+    r.position->cab_B = cab_B;
+    ASSERT_TRUE(power_up(*state, *derived, config, r));
+    const Retained before = retained(*state);
+    state->position.ahead = {{100.0}, {90.0}, {110.0}};
+    EXPECT_TRUE(retained(*state) == before) << "vehicles in front of it";
+    state->manoeuvre.opposite = true;
+    position::turn(state->position);
+    EXPECT_TRUE(retained(*state) == before) << "in a manoeuvre the other way";
+  }
+}
+
 TEST(Retention, ALevelOrderThatWaitsIsKeptBy4_0_0Only) {  // 4.10
   const auto state = std::make_unique<State>();
   const auto derived = std::make_unique<Derived>();
