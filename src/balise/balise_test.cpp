@@ -328,10 +328,22 @@ TEST(Telegrams, Row33CoversHideTelegramsFaultyOrNot) {
 }
 
 TEST(Telegrams, CoversInVersionOneUseAnotherPacket) {
+  // 8.4.2.4: 1.1 has packet 200, 1.0 has none, all others packet 0.
+  for (unsigned M_VERSION = 0x10; M_VERSION < 0x80; ++M_VERSION)
+    for (const bool old : {false, true}) {
+      Train t;
+      ASSERT_TRUE(set_cover(t.state, {17, 426, 100_s}));
+      Balise b{5, 0, 0};
+      b.M_VERSION = M_VERSION;
+      b.packets = {old ? test::old_marker(17) : test::marker(17)};
+      t.read_at(10, b);
+      const bool covers = M_VERSION == 0x11 ? old : M_VERSION != 0x10 && !old;
+      EXPECT_EQ(t.count(What::telegram_covered), covers ? 1 : 0) << M_VERSION << old;
+    }
   Train t;
   ASSERT_TRUE(set_cover(t.state, {17, 426, 100_s}));
   Balise b{5, 0, 0};
-  b.M_VERSION = 0x10;
+  b.M_VERSION = 0x11;
   b.packets = {test::old_marker(17)};
   t.read_at(10, b);
   EXPECT_EQ(t.count(What::telegram_covered), 1);

@@ -15,13 +15,15 @@ std::uint32_t bits_at(std::span<const std::uint8_t> bytes, std::size_t first, un
   return value;
 }
 
+/// 8.4.2.4: version 1.0 has no marker, 1.1 has packet 200 and all others, also those that are not supported, packet 0.
 /// The telegram may be broken behind the marker, so the marker is read separately.
-std::optional<std::uint8_t> cover_marker(std::span<const std::uint8_t> bytes, std::size_t bits, unsigned X) {
+std::optional<std::uint8_t> cover_marker(std::span<const std::uint8_t> bytes, std::size_t bits, const Header& header) {
   constexpr std::size_t kNidPacket = 8, kQdirAndLength = 2 + 13, kMarker = 6;
-  if (bits < kHeaderBits + kNidPacket) return std::nullopt;
-  const std::uint32_t NID_PACKET = bits_at(bytes, kHeaderBits, kNidPacket);
-  if (NID_PACKET != (X == 1 ? 200u : 0u)) return std::nullopt;
-  const std::size_t at = kHeaderBits + kNidPacket + (X == 1 ? kQdirAndLength : 0);
+  constexpr std::uint8_t k1_0 = 16, k1_1 = 17;  // M_VERSION (7.5.1.79)
+  if (header.M_VERSION == k1_0 || bits < kHeaderBits + kNidPacket) return std::nullopt;
+  const bool of_1_1 = header.M_VERSION == k1_1;
+  if (bits_at(bytes, kHeaderBits, kNidPacket) != (of_1_1 ? 200u : 0u)) return std::nullopt;
+  const std::size_t at = kHeaderBits + kNidPacket + (of_1_1 ? kQdirAndLength : 0);
   if (bits < at + kMarker) return std::nullopt;
   return static_cast<std::uint8_t>(bits_at(bytes, at, kMarker));
 }
@@ -53,7 +55,7 @@ Header read_header(std::span<const std::uint8_t> bytes, std::size_t bits) {
   header.id.NID_BG = static_cast<std::uint16_t>(bits_at(bytes, 35, 14));
   header.Q_LINK = bits_at(bytes, 49, 1) == 1;
   header.readable = from_track && balise;
-  header.NID_VBCMK = cover_marker(bytes, bits, header.X());
+  header.NID_VBCMK = cover_marker(bytes, bits, header);
   return header;
 }
 

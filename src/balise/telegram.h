@@ -18,7 +18,7 @@ struct Header {
   std::uint8_t M_MCOUNT = 0;
   GroupId id;
   bool Q_LINK = false;
-  std::optional<std::uint8_t> NID_VBCMK;  // packet 0, in X = 1 packet 200, first of all (3.15.9.3, 6.6)
+  std::optional<std::uint8_t> NID_VBCMK;  // first of all packets (3.15.9.3, 8.4.2.4)
   constexpr std::uint8_t X() const { return static_cast<std::uint8_t>(M_VERSION >> 4); }
 };
 
