@@ -70,8 +70,10 @@ bool Instances::add_special(const PacketView& packet, std::uint8_t nid) {
                           identity(packet, packet_header + 1, 6 + 10));  // NID_VBCMK, NID_C behind Q_VBCO
     case packet::infill_location_reference:
       return add_location(packet);
-    default:
-      return false;  // 8.4.1.4.1, .6 to .8; 200 is packet 0 of version 1.1
+    case packet::external_application_data:
+      return false;  // 8.4.1.4.1
+    default:         // 8.4.1.4.6 to .8: of a group; 200 is packet 0 of version 1.1
+      return composed_ != Composed::by_group && packets_[infill_ ? 1 : 0].add(packet.Q_DIR, nid);
   }
 }
 

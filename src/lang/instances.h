@@ -28,9 +28,13 @@ constexpr NumberSet set_of(std::initializer_list<std::uint8_t> numbers) {
 /// NID_PACKET as in the bits; PacketView::NID_PACKET is that of version 2.1.
 std::uint8_t wire_number(const PacketView& packet);
 
+/// What a message of the track comes from (8.4.1.4.4, .6 to .9: some exceptions are for balise groups alone).
+enum class Composed : std::uint8_t { by_group, by_loop_or_radio };
+
 /// The packets read so far of a message.
 class Instances {
  public:
+  explicit Instances(Composed composed = Composed::by_group) : composed_(composed) {}
   /// A further telegram of the message begins.
   void begin_telegram() {
     infill_ = false;
@@ -38,10 +42,10 @@ class Instances {
   }
   /// Adds a packet; unknown ones do not count. True: with it the message has one instance too many for a direction.
   ///
-  /// Packets 44, 254, 145, 0 and 200 may occur again; 65, 66, 88 and 6 with another identity (NID_TSR, except that of
-  /// restrictions that cannot be revoked; NID_TSR; NID_LX; NID_VBCMK with NID_C); 136 once in a telegram, with the same
-  /// content in every telegram. Identities are compared within one direction, because the rule itself is per direction.
-  /// Packets after packet 136 concern another group and count separately.
+  /// Packet 44 may occur again, of a balise group 254, 145, 0 and 200 too; 65, 66, 88 and 6 with another identity
+  /// (NID_TSR, except that of restrictions that cannot be revoked; NID_TSR; NID_LX; NID_VBCMK with NID_C); 136 once in
+  /// a telegram, with the same content in every telegram. Identities are compared within one direction, because the
+  /// rule itself is per direction. Packets after packet 136 concern another group and count separately.
   bool add(const PacketView& packet) { return packet.known && add(packet, wire_number(packet)); }
   /// The same for a known packet with its wire_number().
   bool add(const PacketView& packet, std::uint8_t nid) {
@@ -77,6 +81,7 @@ class Instances {
   std::uint64_t location_[2]{};  // the contents of packet 136 for each direction, 0: none
   std::uint8_t infill_for_ = 0;  // directions of the packets 136 of this telegram, a bit each
   bool infill_ = false;
+  Composed composed_;
 };
 
 /// Packets 206, 207 and 239 in a message of X = 1: with them the packets 68, 70 and 39 of X = 1 are for units of

@@ -117,6 +117,16 @@ TEST(Instances, ThoseThatMayComeAgain) {
   EXPECT_EQ(fault_of(Packet44{}, Packet44{}), Fault::none);
 }
 
+/// 8.4.1.4.6 to .8 are for balise groups: a loop and a radio infill unit send packet 254 once for a direction.
+TEST(Instances, DefaultInformationOfALoopOrByRadioComesOnce) {
+  const WithPackets twice(33, Packet254{{1}}, Packet254{{0}}, Packet254{{1}}), data(33, Packet44{}, Packet44{});
+  Instances instances(Composed::by_loop_or_radio);
+  EXPECT_FALSE(instances.add(twice.view.packets[0]));
+  EXPECT_FALSE(instances.add(twice.view.packets[1]));
+  EXPECT_TRUE(instances.add(twice.view.packets[2]));
+  for (const PacketView& packet : data.view.packets) EXPECT_FALSE(instances.add(packet));
+}
+
 TEST(Instances, InfillCountsByItself) {
   EXPECT_EQ(fault_of(Packet5{}, infill(0, 9), Packet5{}), Fault::none);
   EXPECT_EQ(fault_of(infill(0, 9), Packet5{}, Packet5{}), Fault::duplicate_packet);

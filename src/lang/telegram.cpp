@@ -144,7 +144,7 @@ bool check_found(const Frame& frame, const PacketView& view, const PacketCodec* 
 /// The packets from bit `at` on; `used` is the bit after the last one (after packet 255).
 FaultAt find_packets(const Frame& frame, std::size_t at, PacketViews& packets, std::size_t& used) {
   const Versions version = known_version(frame.sv);
-  Instances instances;
+  Instances instances(frame.medium == media::balise ? Composed::by_group : Composed::by_loop_or_radio);
   FaultAt fault;
   for (;;) {
     used = at;
@@ -209,10 +209,13 @@ bool contains(std::span<const std::uint8_t> list, std::uint8_t n) {
 }
 
 /// 8.4.4: the mandatory packets are first, in their order; the others are on the list of the message. Unknown packets
-/// are ignored; by a train only where the message may have others than the mandatory ones (3.17.3.11 c).
+/// are ignored; by a train only where the message may have others than the mandatory ones (3.17.3.11 c). An RBC and a
+/// radio infill unit each have a list of their own (8.4.4.4.1).
 FaultAt check_list(const MessageRules& rules, const PacketViews& packets, std::size_t end, Check check, Media sender) {
-  const bool by_sender = sender == media::RIU && !rules.optional_from_riu.empty();
-  const std::span<const std::uint8_t> optional = by_sender ? rules.optional_from_riu : rules.optional;
+  const std::span<const std::uint8_t> own = sender == media::RIU   ? rules.optional_from_riu
+                                            : sender == media::RBC ? rules.optional_from_rbc
+                                                                   : rules.optional;
+  const std::span<const std::uint8_t> optional = own.empty() ? rules.optional : own;
   std::size_t next = 0;
   for (const auto& one_of : rules.required) {
     if (one_of.empty()) continue;

@@ -29,9 +29,7 @@ bool accepted_by_message(unsigned NID_MESSAGE, const std::vector<std::pair<unsig
                          const std::string& sv = "2.1") {
   OnBoard unit(OnBoard::after(start));
   const Answer answer = unit.receive(NID_MESSAGE, codes, packets(list, sv), sv, infill_unit);
-  // Those of a radio infill unit only are refused by 4.8.3.
-  return answer.event({"rejected [3.16.3.1.1]"}).empty() && answer.event({"packet 143 refused [4.8.3]"}).empty() &&
-         answer.event({"packet 254 refused [4.8.3]"}).empty();
+  return answer.event({"rejected [3.16.3.1.1]"}).empty();
 }
 
 /// Whether message NID_MESSAGE may have a packet behind its own ones (8.4.4.4.1), by the reference data and by the
@@ -103,6 +101,9 @@ TEST(LanguageThroughStep, PacketsThatMayComeAgain) {
   EXPECT_TRUE(accepted_by_group({{65, {{"NID_TSR", 255}}}, {65, {{"NID_TSR", 255}}}}));
   EXPECT_FALSE(accepted_by_message(24, {{21, {}}, {21, {}}}));
   EXPECT_TRUE(accepted_by_message(24, {{44, {}}, {44, {}}}));
+  // 8.4.1.4.6 is for balise groups.
+  EXPECT_TRUE(accepted_by_message(24, {{44, {}}, {44, {}}, {254, {}}}, {}, kInfillUnit, true));
+  EXPECT_FALSE(accepted_by_message(24, {{254, {}}, {254, {}}}, {}, kInfillUnit, true));
 }
 
 TEST(LanguageThroughStep, OrderOfPackets) {

@@ -181,6 +181,13 @@ bool acknowledges_session(const lang::MessageToTrainView& view) {
   return view.NID_MESSAGE == message::session_establishment_acknowledged && view.sv >= lang::SystemVersion{2, 3};
 }
 
+/// Whose packets a message may have (8.4.4.4.1). Message 37 of an RBC is read as any other: it has its own refusal.
+lang::Media sender_of(const RadioMessage& message) {
+  if (message.infill_unit) return lang::media::RIU;
+  const bool infill = !message.bytes.empty() && message.bytes[0] == message::infill_movement_authority;
+  return infill ? lang::Media{0} : lang::media::RBC;
+}
+
 void receive_message(Reception& r, const RadioMessage& message) {
   State& s = r.state;
   const std::optional<radio::Peer> known =
@@ -189,7 +196,7 @@ void receive_message(Reception& r, const RadioMessage& message) {
   if (!from.infill_unit()) from.role = radio::role_of(s.radio, from.peer);
   const lang::MessageToTrainView view =
       lang::scan_message_to_train(message.bytes, session_version(s.radio.session(from.peer).M_VERSION, s.srs),
-                                  lang::Check::all, from.infill_unit() ? lang::media::RIU : lang::Media{0});
+                                  lang::Check::all, sender_of(message));
   if (view.fault == lang::Fault::unknown_message && lang::is_later(view.sv))
     return receive_unknown(r, view, message.bytes, from, known.has_value());
   if (view.fault != lang::Fault::none) return reject_inconsistent(r, view.NID_MESSAGE, from, known.has_value());
