@@ -572,7 +572,7 @@ class Run {
   }
   /// 3.14.1, 4.12: the same.
   void expect_brake_rules(const port::Inputs& in) {
-    const train::NationalValues& values = stream_->configuration().national_values;
+    const train::NationalValues& values = unit_->state.national_values;
     const bool service_brake = values.Q_NVSBTSMPERM && stream_->configuration().train.data.service_brake_interface;
     const bool until_standstill = !values.Q_NVEMRRLS && service_brake;
     brakes_.srs = stream_->configuration().srs;

@@ -8,11 +8,12 @@
 namespace evc::through_step {
 namespace {
 
-constexpr std::uint64_t kEngine = 4660, kUnknown = 0xFFFFFF, kGroup = 1u << 14;
+constexpr std::uint64_t kEngine = 0xABCDEF, kUnknown = 0xFFFFFF, kGroup = 1u << 14;
 
 /// A unit with an identity, telephone numbers and a train of its own.
 std::string with_data(const std::string& statements) {
-  return "  given config { NID_ENGINE 4660 telephone_numbers [ \"0031612345678FFF\" \"004412FFFFFFFFFF\" ] }\n  and "
+  return "  given config { NID_ENGINE 11259375 telephone_numbers [ \"0031612345678FFF\" \"004412FFFFFFFFFF\" ] }\n  "
+         "and "
          "train { "
          "length_m 400 max_speed_kmh 140 category { cant_deficiency_mm 150 other [ \"FreightP\" \"Passenger\" ] "
          "axle_load "
@@ -269,6 +270,19 @@ TEST(LanguageThroughStep, MessagesToTrackOfOlderVersions) {  // 6.6.3.4.4
       e.start = in_version(e.start, sv);
       check_sent(e, sv);
     }
+}
+
+/// 7.5.1.82.2: the classes in their order.
+TEST(LanguageThroughStep, CantDeficiencyOfTheTrain) {
+  std::uint64_t code = 0;
+  for (const int cant_mm : {80, 100, 130, 150, 165, 180, 210, 225, 245, 275, 300}) {
+    const Decoded message = OnBoard::after("  given train { category { cant_deficiency_mm " + std::to_string(cant_mm) +
+                                           " } }\n  and RBC ready\n")
+                                .last_sent(129);
+    const Codes* data = message.packet(11);
+    ASSERT_NE(data, nullptr) << cant_mm;
+    EXPECT_EQ(data->at("NC_CDTRAIN"), code++) << cant_mm;
+  }
 }
 
 /// 6.6.3.4.3.1: valid train data follow the report of start of mission.
