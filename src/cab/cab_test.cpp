@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -61,6 +62,14 @@ TEST_F(Cab, ThePageGetsTheLineAndTheTrain) {
   given.train_name = standard.name;
   given.train_document = standard.document;
   EXPECT_EQ(page, "<a>" + base64(ride::bytes_of(given)) + "</a>");
+}
+
+TEST_F(Cab, TheLineMayBeStandardInput) {
+  write("cab/page.html", "<a>" + ride::given_place() + "</a>");
+  EXPECT_EQ(said({"", "", in_folder("cab.html")}), "0 ");
+  ASSERT_NE(std::freopen(in_folder("lines/brunnental.json").c_str(), "rb", stdin), nullptr);
+  EXPECT_EQ(said({"-", "", in_folder("from_input.html")}), "0 ");
+  EXPECT_EQ(io::read_text(in_folder("from_input.html")).value(), io::read_text(in_folder("cab.html")).value());
 }
 
 TEST_F(Cab, WithoutTheCompiledPageItSaysHowToGetIt) {

@@ -7,6 +7,7 @@
 
 #include "io/data_files.h"
 #include "io/file.h"
+#include "io/line_file.h"
 #include "io/line_networks.h"
 #include "ride/given.h"
 #include "run/load.h"
@@ -32,10 +33,12 @@ io::Result<std::string> load_page() {
 }
 
 io::Result<ride::Given> load(const Options& options) {
-  auto line = run::load_line(options.line);
-  if (!line) return tl::unexpected(line.error());
   const std::string file = run::line_file(options.line);
-  auto networks = io::read_text(file).and_then([&](const std::string& text) { return io::read_networks(text, file); });
+  const auto text = io::read_text(file);  // once: it may be standard input
+  if (!text) return tl::unexpected(text.error());
+  auto line = io::read_line(*text, file);
+  if (!line) return tl::unexpected(line.error());
+  auto networks = io::read_networks(*text, file);
   if (!networks) return tl::unexpected(networks.error());
   auto train = run::load_train(options.train);
   if (!train) return tl::unexpected(train.error());
