@@ -21,6 +21,7 @@ constexpr double kFarMetres = 1e9;
 /// Texts by the digits of NID_NTC.
 NationalSystemNames read_ntc_names(const JsonPlace& place) {
   NationalSystemNames names;
+  if (!place.is_object()) place.fail("an object");
   for (const auto& member : place.value().items()) {
     const std::string& key = member.key();
     const bool digits = !key.empty() && key.size() <= 3 && key.find_first_not_of("0123456789") == std::string::npos;

@@ -662,6 +662,12 @@ TEST(OutputLines, NamesOfNationalSystems) {
   EXPECT_NE(line().find("\"trip_reason\":\"National system brake demand\""), std::string::npos);
   for (const char* wrong : {"256", "-1", "x", "", "0001"})
     EXPECT_FALSE(read_configuration(std::string(R"({"ntc_names":{")") + wrong + R"(":"PZB"}})", "c")) << wrong;
+  for (const char* wrong : {"null", "[]", "[\"PZB\"]", "\"PZB\""}) {
+    const auto read = read_configuration(std::string("{\"ntc_names\":") + wrong + "}", "c");
+    ASSERT_FALSE(read) << wrong;
+    EXPECT_EQ(read.error().where, "/ntc_names") << wrong;
+    EXPECT_EQ(read.error().expected, "an object") << wrong;
+  }
 }
 
 TEST(OutputLines, Json) {
