@@ -301,6 +301,8 @@ class WebSession final : public Session {
     beast::get_lowest_layer(socket_).expires_never();
     socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
     socket_.text(true);
+    // A line has its limit, and what waits for the unit; a message of many lines needs none of its own.
+    socket_.read_message_max(0);
   }
   void accept(const http::request<http::empty_body>& request) {
     socket_.async_accept(request, [self = self()](error_code error) {
@@ -404,6 +406,9 @@ class Visitor : public std::enable_shared_from_this<Visitor> {
     http::async_read_header(stream_, buffer_, parser_, [self = shared_from_this()](error_code error, std::size_t) {
       if (error == http::error::header_limit)
         self->answer(http::status::request_header_fields_too_large, "The request is too long.\n");
+      else if (error && error.category() == http::make_error_code(http::error::bad_method).category() &&
+               error != http::error::end_of_stream)
+        self->answer(http::status::bad_request, "This is neither a line of JSON nor a request of HTTP.\n");
       else if (error)
         self->go();
       else

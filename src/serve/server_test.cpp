@@ -119,6 +119,25 @@ TEST(Server, ALineHasAMebibyteAtMost) {
   EXPECT_EQ(error_of(web.message()), expected);
 }
 
+TEST(Server, AMessageMayHaveManyLines) {
+  const RunningServer server;
+  WebClient client(server.port());
+  constexpr std::size_t length = 1'000'000;  // of a line; the message is longer than 16 MiB
+  constexpr int lines = 20;
+  std::string message;
+  for (int n = 0; n < lines; ++n) {
+    std::string line = "{\"t_ms\":" + std::to_string(100 * n) + ",\"end\":true}";
+    line.resize(length - 1, ' ');
+    message += line + "\n";
+  }
+  client.send(message);
+  for (int n = 0; n < lines; ++n) {
+    const std::string line = client.message();
+    ASSERT_FALSE(line.empty()) << n;
+    EXPECT_EQ(io::Json::parse(line)["t_ms"], 100 * n);
+  }
+}
+
 TEST(Server, ALineWithoutItsEndIsTheLastOne) {
   const RunningServer server;
   Client whole(server.port()), part(server.port()), gone(server.port());
@@ -227,6 +246,21 @@ TEST(Server, GivesAPage) {
   EXPECT_EQ(status_of(port, "POST /", host_of(port)), "405");
   EXPECT_EQ(status_of(port, "GET /unit", host_of(port)), "426");
   EXPECT_EQ(status_of(port, "GET /", host_of(port) + "X: " + std::string(10'000, 'x') + "\r\n"), "431");
+}
+
+TEST(Server, WhatIsNeitherARequestNorALineIsTold) {
+  const RunningServer server;
+  for (const char* wrong : {"HELLO\r\n\r\n", "T_MS\n", "GET / HTTP/9.9\r\n\r\n"}) {
+    Client client(server.port());
+    client.send(wrong);
+    client.end();
+    const std::string answer = client.rest();
+    EXPECT_EQ(answer.substr(0, 12), "HTTP/1.1 400") << wrong << answer;
+    EXPECT_NE(answer.find("neither a line of JSON nor a request of HTTP"), std::string::npos) << answer;
+  }
+  Client nothing(server.port());
+  nothing.end();
+  EXPECT_EQ(nothing.rest(), "");
 }
 
 /// Data of its own for the server, which `io::data_file` finds through the environment.
