@@ -331,8 +331,8 @@ void add_describe(CLI::App& app, int& exit_code) {
   schema->callback([&exit_code] { exit_code = language::describe_schema(); });
   CLI::App* modes = describe->add_subcommand("modes", "The table of mode transitions (SUBSET-026-4 4.6.2)");
   const auto table = std::make_shared<explain::ModesOptions>();
-  modes->add_option("--srs", table->srs, "3.6.0 or 4.0.0")
-      ->check(CLI::IsMember({"3.6.0", "4.0.0"}))
+  modes->add_option("--srs", table->srs, "edition: 3.4.0 and 3.6.0 have the same table, 4.0.0 another one")
+      ->check(CLI::IsMember(editions()))
       ->capture_default_str();
   modes->add_flag("--svg", table->svg, "A graph instead of the matrix");
   modes->add_option("-o,--output", table->output, "File to write; standard output if absent");

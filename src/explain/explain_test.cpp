@@ -153,6 +153,9 @@ TEST(DescribeModes, the_graph_has_an_arrow_for_each_transition_but_those_of_ever
   EXPECT_EQ(arrows, 129u - 15u - 12u - 16u);  // into NP, SF, IS
   EXPECT_TRUE(has(e.output, "<title>FS to TR: [12, 16, 17, 18, 20, 41, 65, 66, 69], priority 4</title>")) << e.output;
   EXPECT_EQ(e.output.rfind("</svg>\n"), e.output.size() - 7);
+  EXPECT_TRUE(has(e.output, ">Not drawn: into NP by [29], SF by [13], IS by [1].</text>")) << e.output;
+  EXPECT_TRUE(has(ended("describe modes --svg --srs 4.0.0").output,
+                  ">Not drawn: into NP by [29], SF by [13, 84], IS by [1].</text>"));
 }
 
 /// The labels of a graph: middle and half width, of digits in font size 10.
@@ -178,6 +181,10 @@ TEST(DescribeModes, no_label_of_the_graph_covers_another) {
             << options << ": labels at " << a.x << ", " << a.y << " and " << b.x << ", " << b.y;
       }
   }
+}
+
+TEST(DescribeModes, each_edition_of_a_unit_has_its_table) {
+  EXPECT_EQ(ended("describe modes --srs 3.4.0").output, ended("describe modes").output);
 }
 
 TEST(DescribeModes, another_edition_is_refused) { EXPECT_EQ(ended("describe modes --srs 3.7.0").exit_code, 2); }

@@ -77,14 +77,22 @@ std::string matrix_of(const Table& table) {
   return text;
 }
 
-/// Those of the table.
-std::string conditions_of(const Table& table) {
+/// The conditions of the cells into the modes for which `entered` holds, each once.
+template <class Entered>
+std::vector<int> numbers_of(const Table& table, Entered entered) {
   std::vector<int> numbers;
-  for (const Transition& t : table.cells) numbers.insert(numbers.end(), t.numbers.begin(), t.numbers.end());
+  for (const Transition& t : table.cells)
+    if (entered(t.to)) numbers.insert(numbers.end(), t.numbers.begin(), t.numbers.end());
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+/// Those of the table.
+std::string conditions_of(const Table& table) {
   std::string text = "conditions, 4.6.3\n";
-  for (const int n : numbers) text += fmt::format("{:>4}  {}\n", n, modes::meaning(n));
+  for (const int n : numbers_of(table, [](std::size_t) { return true; }))
+    text += fmt::format("{:>4}  {}\n", n, modes::meaning(n));
   return text;
 }
 
@@ -192,6 +200,16 @@ std::string arrows_of(const Table& table) {
          labels;
 }
 
+/// Names the transitions without an arrow.
+std::string not_drawn(const Table& table) {
+  std::string text;
+  for (std::size_t mode = 0; mode < table.modes.size(); ++mode)
+    if (from_everywhere(table.modes[mode]))
+      text += fmt::format("{}{} by [{}]", text.empty() ? "Not drawn: into " : ", ", table.modes[mode],
+                          joined(numbers_of(table, [mode](std::size_t to) { return to == mode; })));
+  return text + ".";
+}
+
 std::string graph_of(const Table& table) {
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {0:g}\" font-family=\"sans-serif\">\n"
@@ -202,10 +220,9 @@ std::string graph_of(const Table& table) {
       "<text x=\"20\" y=\"30\" font-size=\"18\">{1}</text>\n"
       "<text x=\"20\" y=\"54\" font-size=\"13\">An arrow has the colour of the mode entered; the numbers are its "
       "conditions of 4.6.3.</text>\n"
-      "<text x=\"20\" y=\"{2:g}\" font-size=\"13\">Not drawn: into NP by [29], SF by [13] and others, IS by "
-      "[1].</text>\n"
+      "<text x=\"20\" y=\"{2:g}\" font-size=\"13\">{3}</text>\n"
       "<g fill=\"none\" stroke-width=\"1.2\">\n",
-      kSize, table.title, kSize - 20);
+      kSize, table.title, kSize - 20, not_drawn(table));
   text += arrows_of(table) + "</g>\n<g font-size=\"16\" font-weight=\"bold\" text-anchor=\"middle\">\n";
   for (std::size_t i = 0; i < table.modes.size(); ++i) {
     const Point at = place_of(i, table.modes.size());
