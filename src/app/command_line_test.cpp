@@ -41,6 +41,10 @@ TEST(CommandLine, SaysWhatWasFoundAndWhatWasExpected) {
   EXPECT_EQ(refused("replay"), "evc replay: found no input, expected JSON Lines of inputs; - for standard input\n");
   EXPECT_EQ(refused("replay --diff a"), "evc replay: --diff: found 1 behind it, expected 2\n");
   EXPECT_EQ(refused("replay in --diff a b"), "evc replay: found input and --diff, expected one of them\n");
+  for (const std::string other :
+       {"-o c", "--config c", "--persistent c", "--every 2", "--changes", "--planning", "--dmi"})
+    EXPECT_EQ(refused("replay --diff a b " + other),
+              "evc replay: found " + other.substr(0, other.find(' ')) + " and --diff, expected one of them\n");
   EXPECT_EQ(refused("replay --diff /nonexistent /dev/null"),
             "/nonexistent: found No such file or directory, expected a file that can be read\n");
   EXPECT_EQ(refused("curves compare a"), "evc curves compare: found no b, expected input B\n");

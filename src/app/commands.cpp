@@ -137,10 +137,14 @@ void add_replay(CLI::App& app, int& exit_code) {
                     "print a cycle only when something other than position and speed changed");
   command->add_flag("--planning", options->planning, "print the advance display: gradient, speeds, orders ahead");
   command->add_flag("--dmi", options->dmi, "print the record of the display: what the driver is shown and asked");
+  // What has no meaning for a comparison.
+  const std::vector<CLI::Option*> of_replay =
+      command->get_options([](const CLI::Option* option) { return option->get_name() != "--help"; });
   auto compared = std::make_shared<std::vector<std::string>>();
-  command->add_option("--diff", *compared, "compare two streams of outputs: the first line that differs, by fields")
-      ->expected(2)
-      ->excludes(input);
+  CLI::Option* diff =
+      command->add_option("--diff", *compared, "compare two streams of outputs: the first line that differs, by fields")
+          ->expected(2);
+  for (CLI::Option* other : of_replay) diff->excludes(other);
   command->callback([options, compared, input, &exit_code] {
     if (compared->empty() && input->count() == 0) throw CLI::RequiredError("input");
     exit_code = compared->empty() ? run::replay(*options) : run::diff((*compared)[0], (*compared)[1]);
@@ -167,7 +171,8 @@ void add_serve(CLI::App& app, int& exit_code) {
 void add_cab(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<cab::Options>();
   CLI::App* command = app.add_subcommand("cab", "A driver's cab as one page for the browser: display, desk, line");
-  command->add_option("line", options->line, "line file (etcs-line/1); default: the shipped line");
+  command->add_option("line", options->line,
+                      "line file (etcs-line/1), - for standard input; default: the shipped line");
   command->add_option("--train", options->train, "train file (etcs-train/1); default: the standard train");
   command->add_option("-o,--output", options->output, "the page")->capture_default_str();
   command->callback([options, &exit_code] { exit_code = cab::cab(*options); });
