@@ -429,6 +429,11 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   }
 }
 
+/// Of a key that is left out instead of saying false.
+void require_true(const JsonPlace& place) {
+  if (place.value() != true) place.fail("true");
+}
+
 /// Power off, or on with what cold movement detection says (3.15.8).
 void read_power(CycleInputs& cycle, const JsonPlace& place) {
   place.know_only({"off", "on", "moved"});
@@ -436,7 +441,7 @@ void read_power(CycleInputs& cycle, const JsonPlace& place) {
   const auto on = place.find("on");
   if (off && on) place.fail("either off or on");
   const JsonPlace what = off ? *off : place["on"];
-  if (!what.boolean()) what.fail("true");
+  require_true(what);
   const auto moved = place.find("moved");
   if (moved && off) moved->fail("on, which it belongs to");
   cycle.levels.train.powered = !off;
@@ -492,7 +497,7 @@ void read_object(CycleInputs& cycle, std::int64_t t_ms, InputStream::Radio& radi
   if (const auto p = place.find("ato")) read_automatic_operation(cycle, *p);
   if (const auto p = place.find("fault")) read_fault(cycle, *p);
   if (const auto p = place.find("clock")) read_clock(cycle, *p);
-  if (const auto p = place.find("end"); p && !p->boolean()) p->fail("true");
+  if (const auto p = place.find("end")) require_true(*p);
 }
 
 }  // namespace

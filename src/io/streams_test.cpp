@@ -146,6 +146,13 @@ TEST(InputStream, ErrorsNameTheLine) {
             std::string::npos);
   EXPECT_NE(error_in("{\"t_ms\":0,\"radio\":{\"message\":\"123\"}}").find("even"), std::string::npos);
   EXPECT_NE(error_in("{\"t_ms\":9000000000}"), "");
+  for (const char* wrong : {"false", "7", "null"}) {
+    const std::string value = std::string(":") + wrong + "}";
+    EXPECT_EQ(error_in("{\"t_ms\":0,\"end\"" + value),
+              std::string("in.jsonl: line 1 /end: found ") + wrong + ", expected true");
+    EXPECT_EQ(error_in("{\"t_ms\":0,\"power\":{\"off\"" + value + "}"),
+              std::string("in.jsonl: line 1 /power/off: found ") + wrong + ", expected true");
+  }
 }
 
 TEST(InputStream, PowerAndColdMovement) {
