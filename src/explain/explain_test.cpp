@@ -130,6 +130,22 @@ TEST(ExplainCommand, an_error_in_a_line_before_the_cycle) {
   EXPECT_TRUE(has(e.errors, "line 2")) << e.errors;
 }
 
+// The packet occurs twice in one telegram, which make-line encodes as it is described.
+TEST(ExplainCommand, why_a_telegram_was_not_decoded) {
+  const Folder folder("explain_telegram");
+  const std::string order = R"({"level_transition":{"at_m":1000,"level":"0","acknowledge_m":100}})";
+  std::ofstream(folder / "twice.json")
+      << R"({"schema":"evc-line-description/1","name":"twice","NID_C":1000,"length_m":900,)"
+      << R"("start":{"front_m":-40,"level":"0"},"gradient":[[-500,2000,0]],"ssp":[[-500,2000,60]],)"
+      << R"("groups":[{"NID_BG":101,"at_m":300,"orders":[)" << order << "," << order << R"(]}],"radio":[]})";
+  ASSERT_EQ(ended("make-line '" + (folder / "twice.json") + "' -o '" + (folder / "line.json") + "'").exit_code, 0);
+  ASSERT_EQ(ended("run '" + (folder / "line.json") + "' -o '" + (folder / "out") + "'").exit_code, 0);
+  const std::string inputs = folder / "out/inputs.jsonl";
+  const std::string answer = ended("explain '" + inputs + "' --at 45000 --why-brake").output;
+  EXPECT_TRUE(has(answer, "message inconsistent: balise 1 of 2 was not decoded: packet occurs twice")) << answer;
+  EXPECT_TRUE(has(answer, "(packet 41, bit 113) [3.16.2.4.4]\n")) << answer;
+}
+
 TEST(DescribeModes, the_matrix_and_its_conditions) {
   const Ended e = ended("describe modes");
   EXPECT_EQ(e.exit_code, 0) << e.errors;

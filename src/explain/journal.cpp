@@ -86,6 +86,17 @@ std::string source_of(const sim::CycleInputs& cycle, const kernel::Outputs& outp
   return message_words(static_cast<std::uint8_t>(e.id));
 }
 
+/// Which balise of a group was not decoded in this cycle, why, and where in its telegram; nothing without its header.
+std::string undecoded_words(const sim::CycleInputs& cycle, std::int32_t NID_BG) {
+  for (const auto& t : cycle.balises) {
+    const lang::TelegramView view = lang::scan_telegram(t.bits.bytes, t.bits.size);
+    if (view.at.packet < 0 || static_cast<std::int32_t>(view.NID_BG.raw) != NID_BG) continue;
+    return fmt::format("balise {} of {} was not decoded: {} (packet {}, bit {})", view.N_PIG.raw + 1,
+                       view.N_TOTAL.raw + 1, lang::text_of(view.at.fault), view.at.packet, view.at.bit);
+  }
+  return "";
+}
+
 /// The number of a packet in X = 2: X = 1 has some of them under another one (6.5.1.5).
 std::int32_t number_in_X_2(std::int32_t NID_PACKET) {
   switch (NID_PACKET) {
@@ -121,6 +132,7 @@ void Journal::take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& o
     notes_.push_back(
         {cycle.t_ms, e, of_track(e.what) || e.what == What::group_accepted ? group : "", "", "", "", false});
     if (e.what == What::packet_accepted) packets_[number_in_X_2(e.id)] = notes_.size() - 1;
+    if (e.what == What::telegram_not_decoded) notes_.back().detail = undecoded_words(cycle, e.id);
     if (e.what == What::group_inconsistent) notes_.back().detail = error_words(e.id);
     if (names_group(e.what)) open = notes_.size();
     if (!names_message(e.what)) continue;
@@ -141,7 +153,9 @@ std::string Journal::error_words(std::int32_t NID_BG) const {
   bool undecoded = false;
   for (std::size_t i = notes_.size(); i-- > 0 && notes_[i].t_ms >= group.began_ms - kBefore;) {
     const port::Event& e = notes_[i].event;
-    undecoded = undecoded || (e.what == What::telegram_not_decoded && (e.id == NID_BG || e.id <= 0));
+    if (e.what != What::telegram_not_decoded || (e.id != NID_BG && e.id > 0)) continue;
+    if (!notes_[i].detail.empty()) return notes_[i].detail;
+    undecoded = true;
   }
   const char* const error = undecoded ? "was not decoded" : "was not read";
   for (unsigned n = 0; n < group.total; ++n)
