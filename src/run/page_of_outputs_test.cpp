@@ -20,7 +20,7 @@ using Names = std::set<std::string>;
 
 std::string page_of(const char* name) { return text_of(evc::test::source_folder() + "/docs/" + name); }
 
-/// What stands between backquotes, or in quotation marks between them.
+/// What is in backquotes, and what is in quotation marks there.
 Names names_in(const std::string& page) {
   Names names;
   const std::regex code("`([^`]*)`"), word("\"([^\"]*)\"");

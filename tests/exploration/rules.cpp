@@ -76,7 +76,11 @@ class Cycle {
     if (!keeps_stops(now_.mode)) k_.stops.clear();
     if (k_.stops.empty()) k_.stop.reset();
     if (k_.stops.empty()) return;
-    apply(Rule::stop_pending, !has(now_, What::authority_accepted), "accepts an authority while a stop is pending");
+    // In level 1 a group gives an authority all the same: 4.8.3 [5] is for that of an RBC.
+    const bool fresh = has(now_, What::authority_accepted);
+    const bool by_group = fresh && now_.level == Level::L1;
+    if (by_group) k_.stop.reset();
+    apply(Rule::stop_pending, !fresh || by_group, "accepts an authority while a stop is pending");
     if (k_.stop && now_.EOA) apply(Rule::stop_location, *now_.EOA <= *k_.stop + kPlace, "has an EOA beyond the stop");
   }
 

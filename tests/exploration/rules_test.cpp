@@ -115,6 +115,15 @@ TEST(Rules, AnEmergencyStopCountsUntilItIsRevoked) {
     v.happens(What::authority_accepted);
     v.out.EOA = Unit::at(900.0);
   });
+  Unit left;  // 4.8.3 [5]
+  left.out.level = Level::L2;
+  left.runs(stop);
+  left.runs([](Unit& v) {
+    v.out.level = Level::L1;
+    v.happens(What::authority_accepted);
+    v.out.EOA = Unit::at(900.0);
+  });
+  left.runs(kAsBefore);
   Unit unconditional;
   unconditional.fails(Rule::stop_trips, [](Unit& v) { v.happens(What::emergency_stop_unconditional, 3); });
 }
