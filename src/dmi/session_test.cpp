@@ -620,6 +620,26 @@ TEST_F(Session, ToggleIsOffAtEveryEntry) {
   EXPECT_FALSE(state.toggles.speed);
 }
 
+// 015560 8.2.2.5.7: the time to Indication is heard when it is displayed, also on the driver's request.
+TEST_F(Session, ToggledTimeToIndicationIsHeard) {
+  for (const Mode mode : {Mode::OS, Mode::SR}) {
+    state = State{};
+    display = neutral(mode);
+    display.monitoring = Monitoring::CSM;
+    display.TTI = Duration{5.0};
+    at(0);
+    EXPECT_TRUE(sounds().empty());
+    double when = now;
+    EXPECT_TRUE(test::tap(state, "A", when));
+    EXPECT_EQ(sounds(), std::vector<std::string>{"Sinfo"});
+    at(1);
+    EXPECT_TRUE(sounds().empty());
+    when = now;
+    EXPECT_TRUE(test::tap(state, "B", when));
+    EXPECT_TRUE(sounds().empty());
+  }
+}
+
 // 5.18.8.2: of a tunnel stopping area of the outputs the driver sees a place to touch, until he asks for it.
 TEST_F(Session, ATunnelStoppingAreaIsShownOnRequest) {
   display.mode = Mode::FS;

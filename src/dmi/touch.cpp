@@ -70,6 +70,7 @@ void act(State& state, Action action, Duration now) {
       return acknowledge(state, now);
     case ActionKind::toggle_speed:
       state.toggles.speed = !state.toggles.speed;
+      if (shows_TTI(state)) order_sound(state, Sound::Sinfo);  // displayed from now on (015560 8.2.2.5.7)
       return send(state, port::Select::toggle);
     case ActionKind::toggle_tunnel:
       state.toggles.tunnel = !state.toggles.tunnel;
