@@ -605,6 +605,93 @@ TEST(Cases, NameTheNationalSystemInItsTexts) {
   EXPECT_FALSE(ended("[name of NTC] failed"));  // until it is acknowledged
 }
 
+// 015560 Table 68: each radio system has its text in 4.0.0, until a button of the main window is selected.
+TEST(Cases, NameTheRadioSystemThatFailed) {
+  const auto lines = [](Json given) { return answer_to(given, {{"lines", Json::array()}})["lines"]; };
+  for (const char* text : {"FRMCS network registration failed", "GSM-R network registration failed"}) {
+    const Json shown = lines({{"system_status", {text}}});
+    std::string words;
+    for (const Json& line : shown) words += (words.empty() ? "" : " ") + line[1].get<std::string>();
+    EXPECT_EQ(words, text);
+    EXPECT_TRUE(lines({{"system_status", {text}}, {"press", "any button of the Main window"}}).empty()) << text;
+    EXPECT_TRUE(lines({{"system_status", {text, "first end condition met"}}}).empty()) << text;
+  }
+  EXPECT_TRUE(lines({{"srs", "3.6.0"}, {"system_status", {"FRMCS network registration failed"}}}).empty());
+}
+
+// 015560 8.2.3.4.7, 8.2.3.4.8 c: texts one after another, each with its group and time.
+TEST(Cases, ShowTheTextsOfASequence) {
+  const auto lines = [](const Json& sequence) {
+    return answer_to({{"mode", "FS"}, {"sequence", sequence}}, {{"lines", Json::array()}})["lines"];
+  };
+  const char* asked = "text Y (group 2, 17:34, ack) shown";
+  EXPECT_EQ(lines({"text X (group 1, 17:33) shown"}), Json::array({{"17:33", "X", "bold"}}));
+  EXPECT_EQ(lines({"text X (group 1, 17:33) shown", asked}), Json::array({{"17:34", "Y", "regular"}}));
+  EXPECT_EQ(lines({"text X (group 1, 17:33) shown", asked, "acknowledged, display not ended"}),
+            Json::array({{"17:33", "X", "bold"}, {"17:34", "Y", "regular"}}));
+  EXPECT_EQ(lines({"text X (group 1, 17:33) shown", asked, "acknowledged, display ended"}),
+            Json::array({{"17:33", "X", "bold"}}));
+}
+
+// 015560 8.2.3.5.3: what begins after others have ended is one of its own.
+TEST(Cases, TellTheConditionsOfASequenceApart) {
+  const Json items = answer_to(
+      {{"mode", "FS"}, {"sequence", {"TC02 starts", "TC06 starts", "TC02 ends", "LX01 starts", "TC35 starts"}}},
+      {{"must", Json::array()}})["items"];
+  EXPECT_TRUE(shows(items, {{"kind", "symbol"}, {"id", "LX01"}, {"area", "B3"}}));
+  EXPECT_TRUE(shows(items, {{"kind", "symbol"}, {"id", "TC06"}, {"area", "B4"}}));
+  EXPECT_TRUE(shows(items, {{"kind", "symbol"}, {"id", "TC35"}, {"area", "B5"}}));
+}
+
+// 015560 8.5.1.2: accuracy, dwell time and doors are shown at stopping points alone.
+TEST(Cases, ShowNoDwellTimeOutsideStoppingPoints) {
+  for (const bool at : {true, false}) {
+    const Json items = answer_to({{"mode", "AD"},
+                                  {"ato_selector", "On"},
+                                  {"at_stopping_point", at},
+                                  {"ato_stop", "accurate"},
+                                  {"ato_doors", "are open"},
+                                  {"dwell_s", 59}},
+                                 {{"must", Json::array()}})["items"];
+    EXPECT_EQ(shows(items, {{"kind", "symbol"}, {"area", "G2"}}), at);
+    EXPECT_EQ(shows(items, {{"kind", "text"}, {"area", "G3"}}), at);
+    EXPECT_EQ(shows(items, {{"kind", "symbol"}, {"area", "G4"}}), at);
+  }
+}
+
+// 015560 10.3.4.2, 10.3.4.5: the limits of a case are those of its field.
+TEST(Cases, LimitTheFieldThatTheyName) {
+  for (const char* field : {"Length (m)", "Brake percentage", "Maximum speed (km/h)"}) {
+    Json given{{"window", "Train data"}, {"field", field}, {"technical_range", {50, 150}}, {"enter", "160"}};
+    const auto red = [&] {
+      const Json items = answer_to(given, {{"must", Json::array()}})["items"];
+      return shows(items, {{"kind", "echo"}, {"label", field}, {"value", "++++"}, {"colour", "red"}});
+    };
+    EXPECT_TRUE(red()) << field;
+    given["enter"] = "150";
+    EXPECT_FALSE(red()) << field;
+  }
+}
+
+// 015560 11.2.5.6: the hour glass of the window Radio data.
+TEST(Cases, WaitInTheWindowThatTheyName) {
+  for (const char* window : {"Main", "Radio data"}) {
+    const Json items =
+        answer_to({{"window", window}, {"waiting", true}, {"t_s", 1.5}}, {{"must", Json::array()}})["items"];
+    EXPECT_TRUE(shows(items, {{"kind", "symbol"}, {"id", "ST05"}, {"abs", {402, 17}}})) << window;
+    EXPECT_TRUE(shows(items, {{"kind", "text"}, {"value", window}})) << window;
+  }
+}
+
+// 015560 5.3.2.6.4: a down button acts once, when it is touched.
+TEST(Cases, WatchADownButton) {
+  const Json result = answer_to({{"button", "down"}, {"events", {"press t0", "release t4.0"}}},
+                                {{"result", {{"click", 1}, {"activations", 1}, {"at", ""}}}})["result"];
+  EXPECT_EQ(result["click"], 1);
+  EXPECT_EQ(result["activations"], 1);
+  EXPECT_EQ(result["at"], "press");
+}
+
 TEST(Cases, RefuseEventsThatCannotHappen) {
   const Json expect{{"timeline", {{{"t", 3}, {"window", ""}}}}};
   const auto refused = [&](const Json& events) {
@@ -649,6 +736,9 @@ TEST(Cases, RefuseWordsThatSayNothing) {
                                                        {{"value", "12a"}},
                                                        {{"window", "Train data"}, {"events", {"key x"}}},
                                                        {{"window", "Train data"}, {"events", {"touch nothing"}}},
+                                                       {{"sequence", {"TC03"}}},
+                                                       {{"sequence", {"TC99 starts"}}},
+                                                       {{"sequence", {"TC03 begins"}}},
                                                        {{"events", {{{"t", 0}, {"request", "level 1"}}}}},
                                                        {{"window", "Kitchen"}}})
     EXPECT_THROW((void)answer_to(given, given.contains("events") && given["events"][0].is_object()

@@ -135,8 +135,10 @@ struct Setting {
   bool tti_requested = true;
   std::optional<Duration> tti;
   bool in_reversing_area = false;
+  bool at_stopping_point = true;
   bool level_acknowledged = false, level_ack_reached = false;
   double v_kmh = 0.0;
+  std::string field;  ///< that the case enters, by its label
 };
 
 void set_speeds(Setting& s, const JsonPlace& list) {
@@ -259,9 +261,22 @@ void set_choices(Setting& s, const JsonPlace& p) {
     s.scene.labels[kTrainCategoryRows[static_cast<std::size_t>(i)].name] = "choice " + std::to_string(i + 1);
 }
 
+/// The limits of the field of the case; of the length where it names none.
+port::EntryRange& range_of_field(Setting& s) {
+  port::DisplayConfig& config = s.display.config;
+  return s.field == "Brake percentage"       ? config.brake_percentage
+         : s.field == "Maximum speed (km/h)" ? config.V_MAXTRAIN
+                                             : config.L_TRAIN;
+}
+
+void set_technical(Setting& s, const JsonPlace& p) {
+  range_of_field(s).least = p[0].number();
+  range_of_field(s).most = p[1].number();
+}
+
 void set_operational(Setting& s, const JsonPlace& p) {
-  s.display.config.L_TRAIN.operational_least = p[0].number();
-  s.display.config.L_TRAIN.operational_most = p[1].number();
+  range_of_field(s).operational_least = p[0].number();
+  range_of_field(s).operational_most = p[1].number();
 }
 
 /// A check that no train passes.
@@ -380,7 +395,7 @@ const std::map<std::string, Setter, std::less<>>& train_setters() {
       {"skip_stop", [](Setting& s, const JsonPlace& p) { s.display.ato.skip = named(p, kSkips); }},
       {"dwell_s",
        [](Setting& s, const JsonPlace& p) { s.display.ato.dwell_s = static_cast<std::uint16_t>(p.integer(0, 5999)); }},
-      {"at_stopping_point", nothing},
+      {"at_stopping_point", [](Setting& s, const JsonPlace& p) { s.at_stopping_point = p.boolean(); }},
       {"ato_stop", [](Setting& s, const JsonPlace& p) { s.display.ato.stop = named(p, kAtoStops); }},
       {"ato_hold", [](Setting& s, const JsonPlace& p) { s.display.ato.hold = p.boolean(); }},
       {"ato_doors", [](Setting& s, const JsonPlace& p) { s.display.ato.doors = named(p, kAtoDoors); }},
@@ -412,11 +427,7 @@ const std::map<std::string, Setter, std::less<>>& track_setters() {
       {"fields", set_fields},
       {"value", set_running_number},
       {"operational_range", set_operational},
-      {"technical_range",
-       [](Setting& s, const JsonPlace& p) {
-         s.display.config.L_TRAIN.least = p[0].number();
-         s.display.config.L_TRAIN.most = p[1].number();
-       }},
+      {"technical_range", set_technical},
       {"technical_cross_check_fails", set_failing_check},
       {"all_fields_valued",
        [](Setting& s, const JsonPlace& p) {
@@ -527,6 +538,13 @@ void finish_train(Setting& s) {
   Display& d = s.display;
   if (s.tti_requested) d.TTI = s.tti;
   d.reversing_permitted = s.in_reversing_area && d.standstill;
+  // Accuracy, dwell time and doors are those of a stopping point (015560 8.5.1.2 c).
+  if (!s.at_stopping_point) {
+    d.ato.stop = port::AtoStop::none;
+    d.ato.doors = port::AtoDoors::none;
+    d.ato.dwell_s.reset();
+    d.ato.hold = false;
+  }
   if (d.monitoring != Monitoring::none && d.status == Status::none) d.status = Status::Normal;
   // A target of which the case gives the distance alone is a stop.
   if (d.d_target && !d.V_target && d.monitoring != Monitoring::none &&
@@ -660,6 +678,7 @@ Scene::Scene() {
 
 void set_given(Scene& scene, const JsonPlace& given, const JsonPlace& expect) {
   Setting setting(scene);
+  if (const auto field = given.find("field")) setting.field = field->string();
   for (const auto& member : given.value().items()) {
     const std::string& key = member.key();
     bool known = std::find(kLater.begin(), kLater.end(), key) != kLater.end();

@@ -22,6 +22,7 @@ using io::JsonPlace;
 using port::Display;
 
 constexpr std::int64_t kBegin = 100;  // ms: what a case does to an open window
+constexpr std::uint8_t kDelete = 10;  // the key Del
 
 bool begins(std::string_view text, std::string_view with) { return text.substr(0, with.size()) == with; }
 
@@ -248,34 +249,66 @@ void play_event(Scene& scene, const JsonPlace& event) {
 // ---- Track conditions and texts one after another ------------------------------------------------------
 
 void start_or_end_condition(Scene& scene, const JsonPlace& step) {
-  const std::string& text = step.string();
-  const std::size_t blank = text.find(' ');
-  const io::Json name = text.substr(0, blank);
-  const Picture picture = picture_named(JsonPlace(name, step.file()));
+  const std::string_view text = step.string();
+  const std::size_t blank = std::min(text.find(' '), text.size());
+  const std::string_view name = text.substr(0, blank), what = text.substr(blank);
+  const auto* row =
+      std::find_if(kPictureRows.begin(), kPictureRows.end(), [&](const PictureRow& each) { return each.name == name; });
+  if (row == kPictureRows.end() || (what != " starts" && what != " ends"))
+    step.fail("a symbol that starts or ends, as \"TC03 starts\", a text that is shown, or \"acknowledged\"");
+  const Picture picture = row->value;
   Display& display = scene.player.display();
-  if (text.substr(blank) == " starts") {
-    if (!display.conditions.push_back(
-            {static_cast<std::uint16_t>(display.conditions.size() + 1), picture, ConditionPhase::active}))
-      step.fail("fewer conditions");
+  if (what == " starts") {
+    // Other than that of every symbol that is shown, also after some of them have ended.
+    std::uint16_t id = 1;
+    for (const port::DisplayedCondition& condition : display.conditions)
+      id = std::max(id, static_cast<std::uint16_t>(condition.id + 1));
+    if (!display.conditions.push_back({id, picture, ConditionPhase::active})) step.fail("fewer conditions");
   } else {
     display.conditions.erase_if([&](const auto& condition) { return condition.picture == picture; });
   }
   scene.player.run_to(scene.player.now_ms() + kBegin);
 }
 
+/// "17:33" in the words of a step; none: they have no time.
+std::optional<std::uint16_t> minute_in(std::string_view words) {
+  const std::size_t colon = words.find(':');
+  if (colon == std::string_view::npos || colon < 2 || colon + 2 >= words.size()) return std::nullopt;
+  int minute = 0;
+  for (const std::size_t at : {colon - 2, colon - 1, colon + 1, colon + 2}) {
+    if (words[at] < '0' || words[at] > '9') return std::nullopt;
+    minute += (words[at] - '0') * (at == colon - 2 ? 600 : at == colon - 1 ? 60 : at == colon + 1 ? 10 : 1);
+  }
+  return static_cast<std::uint16_t>(minute);
+}
+
+/// "text X (group 1, 17:33, ack) shown"; the id of the text.
+std::uint16_t show_text(Scene& scene, std::string_view step) {
+  const std::string_view begun = step.substr(std::string_view("text ").size());
+  const std::string_view name = begun.substr(0, std::min(begun.find(" ("), begun.find(" shown")));
+  const bool auxiliary = step.find("group 2") != std::string_view::npos;
+  const bool asks = step.find(", ack)") != std::string_view::npos;
+  const std::uint16_t id = add_text(scene, name, !auxiliary, asks);
+  Display& display = scene.player.display();
+  if (const auto minute = minute_in(step)) display.texts[display.texts.size() - 1].minute_of_day = *minute;
+  if (asks) (void)display.acks.push_back({Ack::text, id, scene.player.now()});
+  return id;
+}
+
 void play_sequence(Scene& scene, const JsonPlace& sequence) {
+  std::uint16_t shown = 0;
   for (std::size_t i = 0; i < sequence.size(); ++i) {
     const std::string& step = sequence[i].string();
-    if (begins(step, "text X")) {
-      const std::uint16_t id = add_text(scene, "X", true, true);
-      for (port::DisplayedText& text : scene.player.display().texts)
-        if (text.id == id) text.minute_of_day = std::uint16_t{17 * 60 + 33};
-      (void)scene.player.display().acks.push_back({Ack::text, id, scene.player.now()});
+    if (begins(step, "text ")) {
+      shown = show_text(scene, step);
       scene.player.run_to(scene.player.now_ms() + kBegin);
     } else if (begins(step, "acknowledged")) {
       (void)scene.player.press(middle_of(dmi::rect_of(Area::E7)));
       scene.player.forget_sounds();  // the click
       scene.player.release();
+      // The acknowledgement may be the end of the text (8.2.3.4.8 c).
+      if (step.find("display ended") != std::string::npos)
+        scene.player.display().texts.erase_if([&](const port::DisplayedText& text) { return text.id == shown; });
       scene.player.run_to(scene.player.now_ms() + kBegin);
     } else {
       start_or_end_condition(scene, sequence[i]);
@@ -289,7 +322,11 @@ void play_sequence(Scene& scene, const JsonPlace& sequence) {
 int acts_of(const Scene& scene, const Action& action) {
   const dmi::State& state = scene.player.state();
   if (action.kind == ActionKind::open) return state.window == static_cast<dmi::WindowId>(action.argument) ? 1 : 0;
-  if (action.kind == ActionKind::key) return 16 - state.entry.fields[state.entry.selected].value.typed.length;
+  if (action.kind == ActionKind::key) {
+    const dmi::Field& field = state.entry.fields[state.entry.selected];
+    if (action.argument == kDelete) return 16 - field.value.typed.length;
+    return field.typed ? field.value.typed.length : 0;
+  }
   int acts = 0;
   for (const dmi::Commands& sent : scene.player.sent())
     if (sent.actions.has(port::Select::non_leading)) ++acts;
@@ -303,12 +340,16 @@ Action watched_action(Scene& scene, const JsonPlace& button) {
     (void)open_window(scene, "Main");
     return {ActionKind::button, static_cast<std::uint8_t>(Button::non_leading)};
   }
-  if (type != "down, repeat") button.fail("up, delay, or down, repeat");
+  if (type == "down") {
+    (void)open_window(scene, "Train running number");
+    return {ActionKind::key, 1};
+  }
+  if (type != "down, repeat") button.fail("up, delay, down, or down, repeat");
   // The key Del of a full field.
   scene.player.display().data.stored.driver_id = DriverId{"1234567890123456"};
   scene.player.show();
   (void)open_window(scene, "Driver ID");
-  return {ActionKind::key, 10};
+  return {ActionKind::key, kDelete};
 }
 
 void watch(Scene& scene, std::string_view what) {
@@ -638,7 +679,10 @@ void play(Scene& scene, const JsonPlace& given, const JsonPlace& expect) {
     }
   if (given.find("ack_shown")) scene.player.run_to(scene.player.now_ms() + kBegin);
   if (const auto waiting = given.find("waiting"); waiting && waiting->boolean()) {
-    scene.player.display().waiting = port::Waiting::answer_to_ma_request;
+    // The hour glass is in the title of one of two windows (015560 11.2.1.6, 11.2.5.6).
+    scene.player.display().waiting = scene.player.state().window == dmi::WindowId::radio_data
+                                         ? port::Waiting::network_list
+                                         : port::Waiting::answer_to_ma_request;
     const std::int64_t begin = scene.player.now_ms();
     scene.player.show();
     scene.player.run_to(begin + ms_of(given["t_s"]));

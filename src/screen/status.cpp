@@ -27,19 +27,22 @@ struct Start {
   bool described_under_train = true;
 };
 
-/// Texts of Tables 69 and 70 that others start than this unit: the interface to national systems (SUBSET-035 10.7.3.4,
-/// 10.14.1) and automatic train operation (SUBSET-125 7.14.2.13).
+/// Texts of Tables 68 to 70 that others start than this unit: the interface to national systems (SUBSET-035 10.7.3.4,
+/// 10.14.1), automatic train operation (SUBSET-125 7.14.2.13) and FRMCS, which this unit does not have.
 struct OtherText {
   std::string_view name;
   std::string_view words;  ///< behind the name of the national system
   bool national;
   bool acknowledge;  ///< (015560 15.1.1.4.1)
   SrsVersion since = SrsVersion::v3_4_0;
+  bool until_main_window = false;  ///< a button of the main window ends it
 };
-constexpr std::array<OtherText, 3> kOtherTexts{
+constexpr std::array<OtherText, 4> kOtherTexts{
     {{"[name of NTC] needs data", " needs data", true, false},
      {"[name of NTC] failed", " failed", true, true},
-     {"ATO needs data", "ATO needs data", false, false, SrsVersion::v4_0_0}}};
+     {"ATO needs data", "ATO needs data", false, false, SrsVersion::v4_0_0},
+     {"FRMCS network registration failed", "FRMCS network registration failed", false, false, SrsVersion::v4_0_0,
+      true}}};
 
 /// Shows one of these; false: the words name none.
 bool start_other(Scene& scene, std::string_view name) {
@@ -56,6 +59,16 @@ bool start_other(Scene& scene, std::string_view name) {
   return true;
 }
 
+/// A button of the main window was selected.
+void end_until_main_window(Display& display) {
+  display.texts.erase_if([](const port::DisplayedText& text) {
+    const std::string_view words(text.characters.data(), text.length);
+    return text.kind == port::TextKind::national &&
+           std::any_of(kOtherTexts.begin(), kOtherTexts.end(),
+                       [&](const OtherText& each) { return each.until_main_window && each.words == words; });
+  });
+}
+
 /// What is to be acknowledged stays.
 void end_others(Display& display) {
   display.texts.erase_if(
@@ -66,8 +79,8 @@ void end_others(Display& display) {
 /// network that failed.
 std::optional<StatusText> text_named(std::string_view words) {
   std::string named(words);
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> called{
-      {{"[name of NTC]", "National system"}, {"FRMCS network", "Radio network"}, {"GSM-R network", "Radio network"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 2> called{
+      {{"[name of NTC]", "National system"}, {"GSM-R network", "Radio network"}}};
   for (const auto& [said, name] : called)
     if (words.substr(0, said.size()) == said) named = std::string(name) + std::string(words.substr(said.size()));
   for (const auto& row : kStatusTextRows)
@@ -190,6 +203,7 @@ void play_status_texts(Scene& scene, const JsonPlace& given) {
     const bool selected = std::any_of(scene.player.sent().begin(), scene.player.sent().end(),
                                       [](const auto& sent) { return sent.actions.has(port::Select::main); });
     step(scene, {}, selected);
+    if (selected) end_until_main_window(scene.player.display());
   }
   scene.player.run_to(scene.player.now_ms() + 100);
 }
