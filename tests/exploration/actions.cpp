@@ -465,10 +465,12 @@ bool goes_on(Runner& r) {
   in.national_system.available = 2;
   in.train.consist.reset();  // with vehicles in front of the engine there are no train data (3.18.3.5)
   for (int desk = 0; desk < kDesks; ++desk) {
-    in.train.desk_open = false;
-    r.run(20);
-    in.train.desk_open = true;
-    r.run(20);
+    for (const bool open : {false, true}) {
+      in.train.desk_open = open;
+      r.run(20);
+      // A fault that was memorised in SL or NL shows itself when the mode is left (4.4.6.1.6, 4.4.15.1.5).
+      if (r.world().out.mode == Mode::SF) switches_off_and_on(r);
+    }
     for (int i = 0; i < kTries; ++i) {
       const port::Outputs& out = r.world().out;
       const bool runs = out.mode != Mode::SB && out.mode != Mode::TR && out.mode != Mode::PT && out.mode != Mode::SF;

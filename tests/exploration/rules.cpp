@@ -8,7 +8,6 @@ namespace {
 constexpr Distance kPlace{1.0};         // two places that are the same: relocation, rounding of telegrams
 constexpr Distance kFrontToBack{20.0};  // front end to the min safe antenna: L_antenna, location accuracy, a cycle
 constexpr Distance kFreeRun{2.0};       // D_NVROLL
-constexpr Distance kFreeRunPT{200.0};   // D_NVPOTRP
 constexpr Speed kRounding{0.01};
 constexpr Duration kCycle{0.1};
 constexpr int kQuiet = 20;  // cycles in which an input has been answered, also by the radio link
@@ -186,7 +185,11 @@ class Cycle {
     const Distance run = (V < Speed{} ? -V : V) * kCycle;
     const bool turned = (V < Speed{}) != k_.backward;
     k_.backward = V < Speed{};
-    if (run == Distance{} || now_.mode != k_.mode || now_.eb || turned || !forbidden()) {
+    // In SB the distance counts from one place, whichever way the train runs (3.14.4): after a turn it comes back there
+    // first.
+    const bool standstill_supervised = now_.mode == Mode::SB;
+    if (turned && standstill_supervised) k_.free_run = -k_.free_run;
+    if (run == Distance{} || now_.mode != k_.mode || now_.eb || (turned && !standstill_supervised) || !forbidden()) {
       k_.free_run = {};
       return;
     }

@@ -182,6 +182,17 @@ TEST(Rules, ForbiddenMovement) {
     v.out.eb = true;
     v.out.brake_reasons.add(Cause::roll_away);
   });
+  // In SB from one place: 1.5 m forward, 3 m backward, and on.
+  Unit SB;
+  SB.stands_in(Mode::SB);
+  SB.runs([](Unit& v) { v.in.odometry.V_est = Speed{1.0}; });
+  for (int i = 0; i < 14; ++i) SB.runs(kAsBefore);
+  SB.runs([](Unit& v) { v.in.odometry.V_est = Speed{-1.0}; });
+  for (int i = 0; i < 29; ++i) SB.runs(kAsBefore);
+  faults.clear();
+  for (int i = 0; i < 20 && faults.empty(); ++i) faults = SB.cycle();
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].rfind("runs unbraked: SB", 0), 0u);
 }
 
 TEST(Rules, TripAndBrakes) {
