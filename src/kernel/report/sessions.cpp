@@ -135,6 +135,7 @@ void end_without_power(State& s, radio::Outbox& outbox) {
     later.erase(0);
   }
   s.radio = {};
+  s.radio.newest = lang::newest_version(s.srs);
   s.radio.contact = contact;
   s.radio.disconnect_later = later;
   s.handover = {};
