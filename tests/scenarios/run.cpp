@@ -86,6 +86,7 @@ struct Cycle {
   bool momentary = false;                         ///< it has events, messages or orders of the radio
   std::string line;                               ///< empty: not written yet
   std::map<std::string, Json, std::less<>> read;  ///< members of the line that were looked at
+  std::vector<Json> messages;                     ///< those of `radio_out`, in the form of `evc decode radio`
 };
 
 /// `*` stands for any characters.
@@ -109,10 +110,11 @@ bool matches(std::string_view pattern, std::string_view text) {
   return p == pattern.size();
 }
 
-/// The given members are equal; every element of a given list is in the list.
+/// The given members are equal; every element of a given list is in the list, an empty list is empty.
 bool holds(const Json& wanted, const Json& found) {
   if (wanted.is_array())
-    return found.is_array() && std::all_of(wanted.begin(), wanted.end(), [&](const Json& item) {
+    return found.is_array() && (!wanted.empty() || found.empty()) &&
+           std::all_of(wanted.begin(), wanted.end(), [&](const Json& item) {
              return std::any_of(found.begin(), found.end(), [&](const Json& other) { return holds(item, other); });
            });
   if (!wanted.is_object()) return wanted == found;
@@ -124,13 +126,18 @@ bool holds(const Json& wanted, const Json& found) {
   return true;
 }
 
-/// The messages of the unit as JSON of `evc decode radio`; a text with the reason if one cannot be
-/// read.
-Json decoded(const std::string& hex) {
+constexpr std::array kVersions{lang::SystemVersion{2, 1}, lang::SystemVersion{2, 0}, lang::SystemVersion{1, 1},
+                               lang::SystemVersion{1, 0}, lang::SystemVersion{3, 0}, lang::SystemVersion{2, 3},
+                               lang::SystemVersion{2, 2}};
+
+/// A message of the unit as JSON of `evc decode radio`, in the version of its receiver, or, if that is not known, in
+/// the first one in which it can be read; a text with the reason if it cannot be read.
+Json decoded(const std::string& hex, const std::optional<lang::SystemVersion>& of_receiver) {
   const auto bits = io::bits_of_hex(hex);
   if (!bits) return "no hexadecimal digits";
   std::string why;
-  for (const lang::SystemVersion sv : {lang::SystemVersion{2, 1}, {2, 0}, {1, 1}, {1, 0}, {3, 0}, {2, 3}, {2, 2}}) {
+  for (const lang::SystemVersion sv : kVersions) {
+    if (of_receiver && sv != *of_receiver) continue;
     std::string text;
     const auto read = io::append_radio_json(text, bits->bytes, lang::Direction::to_track, sv);
     if (read) return Json::parse(text, nullptr, false);
@@ -395,11 +402,49 @@ class Run {
       message["T_TRAIN"] = next_ms() / 10 + static_cast<std::int64_t>(queued_.size()) - std::llround(a.ago_s * 100.0);
     if (a.NID_LRBG) message["NID_LRBG"] = last_lrbg();
     if (a.answers != 0) message["T_TRAIN_REF"] = last_T_TRAIN(a.answers, a.from);
+    if (message["NID_MESSAGE"] == 32 && (a.from || called_))
+      note_version(a.from ? *a.from : *called_, message["M_VERSION"].get<std::uint64_t>());
     Json more = Json::object();
     if (a.from) more["to"] = Json{{"NID_C", 1}, {a.from->key(), a.from->number}};
     auto bits = io::encode_radio_json(message, {lang::Direction::to_train, {}});
     if (bits && !spoil(*bits, a.damage)) fail("bits of the message", "beyond its end", false);
     give_bits(a.from && a.from->infill_unit ? "radio_in_fill" : "radio", bits, more);
+  }
+  /// What an RBC or a radio infill unit says in message 32: both speak in that version from then on, or, if the unit
+  /// knows an earlier Y only, in that one (3.5.3.7).
+  void note_version(const Partner& partner, std::uint64_t M_VERSION) {
+    const lang::SystemVersion said = lang::system_version(M_VERSION);
+    const lang::SystemVersion newest = lang::newest_version(stream_->configuration().srs);
+    versions_.erase(key_of(partner));
+    for (const lang::SystemVersion sv : kVersions)
+      if (sv == (said.x == newest.x ? std::min(said, newest) : said)) versions_[key_of(partner)] = sv;
+  }
+  static std::pair<bool, std::int64_t> key_of(const Partner& partner) { return {partner.infill_unit, partner.number}; }
+  /// Who gets a message of the last cycle: one that does not name its RBC is sent to the one that supervises.
+  std::optional<Partner> receiver_of(const Json& sent) const {
+    if (sent.is_object()) {
+      const Json& to = sent["to"];
+      const bool infill_unit = to.contains("NID_RIU");
+      return Partner{to[infill_unit ? "NID_RIU" : "NID_RBC"].get<std::int64_t>(), infill_unit};
+    }
+    for (const Json& session : last("sessions"))
+      if (session["role"] == "supervising") return Partner{session["NID_RBC"].get<std::int64_t>(), false};
+    return std::nullopt;
+  }
+  /// Every message of every scenario can be read by its receiver.
+  void read_messages() {
+    for (const Json& sent : last("radio_out")) {
+      const std::optional<Partner> receiver = receiver_of(sent);
+      const auto version = receiver ? versions_.find(key_of(*receiver)) : versions_.end();
+      const bool known = version != versions_.end();
+      Json message = decoded(text_of(sent), known ? std::optional(version->second) : std::nullopt);
+      if (!message.is_object())
+        fail("messages of the version of their receiver" +
+                 (known ? ", " + std::to_string(version->second.x) + "." + std::to_string(version->second.y)
+                        : std::string()),
+             text_of(sent) + ": " + message.dump());
+      cycles_.back().messages.push_back(std::move(message));
+    }
   }
   std::int64_t last_lrbg() const {
     if (cycles_.empty()) return 0xFFFFFF;
@@ -412,10 +457,11 @@ class Run {
   std::int64_t last_T_TRAIN(int NID_MESSAGE, const std::optional<Partner>& to) const {
     for (std::size_t i = cycles_.size(); i-- > 0;) {
       if (!cycles_[i].momentary) continue;
-      for (const Json& hex : output(i, "radio_out")) {
-        if (!is_sent_to(to, hex, i)) continue;
-        const Json message = decoded(text_of(hex));
-        if (message.is_object() && message.value("NID_MESSAGE", 0) == NID_MESSAGE) return message.value("T_TRAIN", 0);
+      const Json& all = output(i, "radio_out");
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        const Json& message = cycles_[i].messages[k];
+        if (is_sent_to(to, all[k], i) && message.value("NID_MESSAGE", 0) == NID_MESSAGE)
+          return message.value("T_TRAIN", 0);
       }
     }
     fail("message " + std::to_string(NID_MESSAGE) + " sent before", "none was sent", false);
@@ -564,6 +610,8 @@ class Run {
     c.t_ms = inputs_of_cycle_.t_ms;
     c.momentary = !now.events.empty() || !now.radio_out.empty() || now.radio_connect || now.radio_disconnect;
     if (c.momentary) (void)line(cycles_.size() - 1);
+    if (!now.radio_out.empty()) read_messages();
+    if (now.radio_connect && !now.radio_connect->infill_unit) called_ = Partner{now.radio_connect->NID_RBC, false};
   }
   /// 4.4: in every cycle of every scenario.
   void expect_coherent(const kernel::Outputs& out) const {
@@ -695,9 +743,10 @@ class Run {
     std::string seen;
     for (std::size_t i = from; i < cycles_.size(); ++i) {
       if (!cycles_[i].momentary) continue;
-      for (const Json& hex : output(i, "radio_out")) {
-        const Json message = decoded(text_of(hex));
-        if (is_sent_to(c.message.to, hex, i) && is_sent(c.message, message))
+      const Json& all = output(i, "radio_out");
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        const Json& message = cycles_[i].messages[k];
+        if (is_sent_to(c.message.to, all[k], i) && is_sent(c.message, message))
           return c.negated ? "sent at " + time(i) + ": " + message.dump() : "";
         seen += "\n      " + time(i) + "  " + message.dump();
       }
@@ -876,6 +925,8 @@ class Run {
   double front_ = 0.0, v_ = 0.0, doubt_ = 0.0, target_v_ = std::nan("");
   double error_ = 0.0, reads_ = 1.0, offset_ = 0.0;
   std::vector<TrackBalise> balises_;
+  std::optional<Partner> called_;                                          // the RBC called last
+  std::map<std::pair<bool, std::int64_t>, lang::SystemVersion> versions_;  // of RBCs and (true) radio infill units
   std::map<std::int64_t, double> groups_;  // the counter at the first balise of each group
   std::map<std::int64_t, double> places_;  // its true place
 };
