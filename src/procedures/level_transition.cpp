@@ -25,6 +25,7 @@ void drop_pending(State& state) {
 /// The transition is executed in this cycle.
 void execute(State& state, const Inputs& in, const OrderedLevel& to, Result& out) {
   out.switch_to = to;
+  if (state.unacknowledged) state.shown = false;  // for the level that is left
   const bool needed = !out.after_no_power && modes::acknowledgement_needed(in.current, to, in.mode, in.srs);
   // 5.10.4.3: within T_ACK after the transition, unless the driver acknowledged before.
   state.unacknowledged = needed && !state.acknowledged;
@@ -51,13 +52,17 @@ void take(State& state, const Inputs& in, const Order& order, const modes::Order
     state.kept_order = order;
     return;
   }
+  if (decision.effect != OrderEffect::rejected) state.kept = false;  // one that waited is older (5.10.1.6)
   take_table(state, order, decision, out);
   // An acknowledgement for the same level stays valid when the order is repeated (5.10.4.1.3, 5.10.4.1.4).
   const bool same = state.pending.has_value() && state.pending->to.same_level(decision.to);
   if (decision.cancels_pending && state.pending.has_value()) {
     state.pending.reset();
     out.cancelled = !same;
-    if (!same) state.acknowledged = state.asked_ahead = false;
+    if (!same) {
+      state.acknowledged = state.asked_ahead = false;
+      if (!state.unacknowledged) state.shown = false;  // for the level that was announced
+    }
   }
   if (decision.effect == OrderEffect::announce) {
     state.pending = modes::PendingTransition{decision.to, order.border, order.anchor};
@@ -79,7 +84,9 @@ void ask(State& state, const Inputs& in, const OrderedLevel& current, Result& ou
   // Once shown, the request stays, also where the place at which it began lies ahead again (A.3.5.1).
   if (needed && modes::in_acknowledgement_length(*state.pending, in.max_safe_front)) state.asked_ahead = true;
   const bool ahead = needed && state.asked_ahead && !state.acknowledged;
-  if (in.acknowledged && state.shown) {  // only an acknowledgement that was asked for counts
+  // Only an acknowledgement that was asked for counts, and for the level that was shown: where an order of this cycle
+  // has changed it, the driver is asked anew.
+  if (in.acknowledged && state.shown) {
     if (state.unacknowledged)
       state.unacknowledged = false;
     else if (ahead)
@@ -122,6 +129,7 @@ Result step(State& state, const Inputs& in) {
   if (!out.switch_to.has_value() && in.driver_level.has_value() && !in.driver_level->same_level(in.current)) {
     out.switch_to = in.driver_level;
     out.by_driver = true;
+    if (state.unacknowledged) state.shown = false;
     state.unacknowledged = false;  // the level to be acknowledged is left
     if (in.srs == SrsVersion::v4_0_0) {
       out.cancelled = state.pending.has_value();

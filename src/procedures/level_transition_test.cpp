@@ -100,6 +100,47 @@ TEST(LevelTransition, The_request_ahead_is_not_taken_back) {  // A.3.5.1
   EXPECT_EQ(b.cycle(790.0).effects.requests, Set<Ack>{Ack::level});
 }
 
+// The driver answers what he was shown: with an order for another level in the same cycle he is asked again.
+TEST(LevelTransition, An_acknowledgement_is_for_the_level_that_was_shown) {  // 5.10.4.1
+  for (const OrderKind kind : {OrderKind::announcement, OrderKind::immediate, OrderKind::conditional}) {
+    Border b(level(Level::L2), Mode::FS);
+    b.give(OrderKind::announcement, level(Level::L0), 1000.0);
+    ASSERT_EQ(b.cycle(800.0).effects.requests, Set<Ack>{Ack::level});
+    b.in.acknowledged = true;
+    b.give(kind, level(Level::NTC, 1), 1000.0);
+    EXPECT_EQ(b.cycle(810.0).effects.requests, Set<Ack>{Ack::level});
+    b.in.acknowledged = true;
+    EXPECT_TRUE(b.cycle(820.0).effects.requests.empty());
+  }
+}
+
+TEST(LevelTransition, An_acknowledgement_of_a_level_that_is_left_is_none_of_the_next) {  // 5.10.4.1
+  Border b(level(Level::L2), Mode::SN);
+  b.give(OrderKind::immediate, level(Level::NTC, 1));
+  ASSERT_EQ(b.cycle(0.0).effects.requests, Set<Ack>{Ack::level});
+  b.in.acknowledged = true;
+  b.give(OrderKind::immediate, level(Level::NTC, 2));
+  EXPECT_EQ(b.cycle(0.0).effects.requests, Set<Ack>{Ack::level});
+  EXPECT_EQ(b.cycle(0.0).effects.requests, Set<Ack>{Ack::level});
+  b.give(OrderKind::announcement, level(Level::L0), 100.0);
+  (void)b.cycle(0.0);
+  b.in.acknowledged = true;
+  b.in.driver_level = level(Level::L1);
+  EXPECT_EQ(b.cycle(10.0).effects.requests, Set<Ack>{Ack::level}) << "of the announced level";
+  EXPECT_EQ(b.cycle(10.0).effects.requests, Set<Ack>{Ack::level});
+}
+
+TEST(LevelTransition, An_order_that_waited_is_older_than_one_that_is_received) {  // 5.10.1.6, 4.4.8.1.5
+  Border b(level(Level::L1), Mode::SH);
+  b.give(OrderKind::immediate, level(Level::L0));
+  EXPECT_FALSE(b.cycle(0.0).switch_to.has_value());
+  EXPECT_TRUE(b.state.kept);
+  b.in.mode = Mode::SB;
+  b.give(OrderKind::immediate, level(Level::L2));
+  EXPECT_EQ(b.cycle(0.0).switch_to, level(Level::L2));
+  EXPECT_FALSE(b.cycle(0.0).switch_to.has_value());
+}
+
 TEST(LevelTransition, Not_acknowledged_brakes_after_5_s) {
   Border b(level(Level::L2), Mode::FS);
   b.give(OrderKind::immediate, level(Level::L0));
