@@ -9,7 +9,8 @@ OrderedLevel select_level(const LevelTable& table, const AvailableLevels& availa
 }
 
 bool acknowledgement_needed(const OrderedLevel& from, const OrderedLevel& to, Mode mode, SrsVersion srs) {
-  if (mode == Mode::NL || from.same_level(to)) return false;
+  // In SL nobody can give it, and nothing brakes (4.4.6.1.2, 4.4.6.1.3).
+  if (mode == Mode::NL || mode == Mode::SL || from.same_level(to)) return false;
   if (srs == SrsVersion::v4_0_0 && from.level == Level::NTC && (to.level == Level::L1 || to.level == Level::L2))
     return false;
   return srs_5_10_4[static_cast<std::size_t>(from.level)][static_cast<std::size_t>(to.level)];

@@ -308,6 +308,7 @@ TEST(Levels, Acknowledgement) {
   EXPECT_FALSE(acknowledgement_needed(at(Level::NTC, 1), at(Level::L2), Mode::SN, SrsVersion::v4_0_0));
   EXPECT_TRUE(acknowledgement_needed(at(Level::NTC, 1), at(Level::L0), Mode::SN, SrsVersion::v4_0_0));
   EXPECT_FALSE(acknowledgement_needed(at(Level::L2), at(Level::L0), Mode::NL));
+  EXPECT_FALSE(acknowledgement_needed(at(Level::L2), at(Level::L0), Mode::SL)) << "nobody is there (4.4.6.1.2)";
   EXPECT_TRUE(acknowledgement_needed(at(Level::L2), at(Level::L0), Mode::FS));
 }
 

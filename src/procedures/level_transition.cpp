@@ -181,6 +181,8 @@ void on_mode_change(State& state, Mode from, Mode to, SrsVersion srs) {
     case Mode::SL:
     case Mode::NL:
     case Mode::TR:
+    case Mode::PT:  // the driver cannot acknowledge it there (4.7.2): of a change from NTC, up to 3.6.0
+    case Mode::RV:
     case Mode::SF:
     case Mode::IS:
       state.unacknowledged = false;
