@@ -235,11 +235,10 @@ TEST(LevelTransition, The_driver_leaves_a_level_that_he_has_not_acknowledged) {
 }
 
 // 4.12 of 4.0.0, "change to level ... not acknowledged". UN, SN, FS, LS, SR and OS are entered by the level transition
-// itself: what is asked for there is the acknowledgement of the new level.
+// itself: what is asked for there is the acknowledgement of the new level. In PT and RV the driver gives none (4.7.2).
 TEST(LevelTransition, Modes_that_revoke_the_brake_command_of_a_missing_acknowledgement) {
   for (std::size_t m = 0; m < kModes; ++m) {
     const Mode to = static_cast<Mode>(m);
-    if (to == Mode::PT || to == Mode::RV) continue;  // not relevant
     Transition t(Level::L2, Mode::FS);
     t.give(OrderKind::immediate, Level::L0);
     EXPECT_TRUE(t.state.unacknowledged);
@@ -497,6 +496,23 @@ TEST(StartOfMission, Without_a_session_nothing_is_reported) {  // D31, D32, A34
   EXPECT_EQ(s.state.step, SoM::S10);
   EXPECT_FALSE(e.send.has(Send::start_of_mission_report));
   EXPECT_TRUE(e.status.empty());
+}
+
+// What the RBC is asked for belongs to level 2; trackside may order another level meanwhile.
+TEST(StartOfMission, A_step_that_waits_for_the_RBC_ends_with_level_2) {  // 5.4.3.2 S2, D10
+  for (const auto& [step, next] : {std::pair{SoM::S3, SoM::S10},
+                                   {SoM::D33, SoM::S10},
+                                   {SoM::S11, SoM::S20},
+                                   {SoM::S21, SoM::S20},
+                                   {SoM::S24, SoM::S24},
+                                   {SoM::S25, SoM::S20}})
+    for (const Level level : {Level::L2, Level::L1}) {
+      Starting s(step, level);
+      s.in.session = Session::open;
+      s.in.mobile_terminal_registered = true;
+      (void)s.cycle();
+      EXPECT_EQ(s.state.step, level == Level::L2 ? step : next) << int(step);
+    }
 }
 
 TEST(StartOfMission, The_session_of_the_mission_before_is_terminated_once) {  // 5.4.1.4
@@ -772,6 +788,15 @@ TEST(TrainTrip, Without_emergency_stop_the_driver_may_go_on_in_the_cycle_of_the_
   EXPECT_EQ(p.cycle().offers, (Set<Offer>{Offer::shunting, Offer::start}));
   p.in.session_open = false;
   EXPECT_EQ(p.cycle().offers, Set<Offer>{Offer::shunting});
+}
+
+TEST(TrainTrip, The_MA_request_ends_with_level_2) {  // 5.11.2.2 S140 a
+  Post p(train_trip::Step::S150, Level::L2);
+  p.cycle();
+  EXPECT_EQ(p.state.step, train_trip::Step::S150);
+  p.in.level = Level::L1;
+  EXPECT_TRUE(p.cycle().offers.has(Offer::start));
+  EXPECT_EQ(p.state.step, train_trip::Step::S140);
 }
 
 TEST(TrainTrip, The_MA_request_is_not_answered_in_its_cycle) {

@@ -55,7 +55,7 @@ Step after_registration(const Inputs& in, Effects& out) {
 
 /// S3: RBC contact. Without a network to choose (E3) 3.x goes on at once, 4.0.0 as soon as the registration has failed.
 Step after_level(const Inputs& in, Effects& out) {
-  if (in.enters_level && !level_2_or_3(in.level)) return Step::S10;
+  if (!level_2_or_3(in.level)) return Step::S10;
   if (!in.mobile_terminal_registered) {
     const bool registers = in.srs == SrsVersion::v4_0_0 && !in.registration_failed;
     if (in.network_offered || registers) return Step::S3;
@@ -84,6 +84,7 @@ bool position_stays(const Inputs& in) {
 
 /// D33, D22: the RBC has confirmed the position, or accepted or rejected the train.
 Step after_validation(const Inputs& in, Effects& out) {
+  if (!level_2_or_3(in.level)) return Step::S10;  // ordered by trackside: the answers are of level 2 (4.8.3)
   if (in.position_confirmed && in.position == DataStatus::invalid) {
     out.status.add(Status::position_valid);  // A35
     return Step::S10;
@@ -117,8 +118,17 @@ Step after_running_number(const Inputs& in, Effects& out) {
   return Step::S11;
 }
 
-/// S21: the RBC answers, or the session is lost (5.4.5.1).
+/// S11: the RBC acknowledges the train data, or the session is lost (5.4.5.1). In another level they need not be (D10).
+Step after_train_data(const Inputs& in) {
+  if (!level_2_or_3(in.level)) return Step::S20;
+  if (in.session != Session::open) return Step::S10;
+  return in.train_data_acknowledged ? Step::S20 : Step::S11;
+}
+
+/// S21: the RBC answers, or the session is lost (5.4.5.1). In another level it does not: the start is offered for that
+/// (D10).
 Step after_ma_request(State& state, const Inputs& in) {
+  if (!level_2_or_3(in.level)) return Step::S20;
   if (in.session != Session::open) return Step::S10;
   if (in.SR_authorised) return Step::S24;
   if (in.profile_at_front.has_value()) {
@@ -196,8 +206,7 @@ Step next(State& state, const Inputs& in, Effects& out) {
     case Step::S13:
       return valid(in.train_running_number) ? after_running_number(in, out) : Step::S13;
     case Step::S11:
-      if (in.session != Session::open) return Step::S10;
-      return in.train_data_acknowledged ? Step::S20 : Step::S11;
+      return after_train_data(in);
     case Step::S21:
       return after_ma_request(state, in);
     default:

@@ -31,9 +31,9 @@ Step wait_for_recognition(State& state, const Inputs& in, Effects& out) {
   }
 }
 
-/// S150: the RBC answers the request.
+/// S150: the RBC answers the request. In another level it does not.
 Step after_ma_request(State& state, const Inputs& in) {
-  if (!in.session_open) return Step::S140;
+  if (!in.session_open || !level_2_or_3(in.level)) return Step::S140;
   if (in.SR_authorised) return Step::S160;
   if (in.profile_at_front.has_value()) {
     state.profile = *in.profile_at_front;
