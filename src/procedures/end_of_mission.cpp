@@ -41,7 +41,10 @@ Effects step(State& state, const Inputs& in) {
     // A095: shunting entered without a mission in progress also ends the session of level 2/3, with a mode report.
     const bool shunting_only = in.mode == Mode::SH && !state.mission && in.level_2_or_3 && in.previous_mode != Mode::PS;
     if (ends || in.mode == Mode::NP) state.mission = false;
-    if (is_mission(in.mode)) state.mission = true;
+    if (is_mission(in.mode)) {
+      state.mission = true;
+      state.waits_for_order = false;  // from SH to NL: the mission before is not reported any more
+    }
     if (ends && in.session_open && in.mode == Mode::SB && in.report_ends_it) {
       state.waits_for_order = false;
       out.send.add(Send::end_of_mission);

@@ -49,6 +49,15 @@ TEST(EndOfMission, Reports_and_waits_for_the_order) {
   EXPECT_TRUE(m.cycle().send.empty());
 }
 
+TEST(EndOfMission, A_mission_that_begins_ends_the_report_of_the_one_before) {  // 5.4.6.1
+  Mission m;
+  m.in.session_open = true;
+  m.to(Mode::FS);
+  EXPECT_TRUE(m.to(Mode::SH).send.has(Send::end_of_mission));
+  EXPECT_TRUE(m.to(Mode::NL).send.empty());
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(m.cycle().send.empty());
+}
+
 TEST(EndOfMission, Gives_up_after_three_repetitions) {
   Mission m;
   m.in.session_open = true;
