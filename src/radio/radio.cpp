@@ -10,6 +10,9 @@ void supervise_contact(State& s, const Inputs& in, Outbox& out, Result& result) 
   s.was_in_hole = in.in_radio_hole;
   if (in.level_2_or_3 && !s.was_level_2_or_3 && !s.supervising.session.established()) s.contact_reference = in.now;
   s.was_level_2_or_3 = in.level_2_or_3;
+  // A reaction that is over does not count for the supervision that begins anew, in level 2 again or behind a radio
+  // hole.
+  if (!in.contact_supervised || in.in_radio_hole) s.contact_brake_released = false;
 
   if (!in.contact_supervised || in.in_radio_hole || !in.contact.T_NVCONTACT || !s.contact_reference) return;
   const Duration silent = in.now - *s.contact_reference;

@@ -145,6 +145,28 @@ TEST(Contact, Reactions) {  // 3.16.3.4
   }
 }
 
+TEST(Contact, AReactionThatIsOverDoesNotCountForTheNextSupervision) {  // 3.16.3.4.1.1, 3.16.3.4.1.3
+  for (const bool hole : {false, true}) {
+    Unit u;
+    u.up();
+    u.in.contact = {Duration{35}, Reaction::service_brake};
+    u.in.contact_supervised = true;
+    u.message(24);
+    u.run(35.2);
+    ASSERT_TRUE(u.cycle().service_brake);
+    u.in.standstill = true;
+    u.run(1.0);
+    u.in.standstill = false;
+    EXPECT_FALSE(u.cycle().service_brake) << "it ended at standstill";
+    (hole ? u.in.in_radio_hole : u.in.contact_supervised) = hole;
+    u.run(1.0);
+    u.in.in_radio_hole = false;
+    u.in.contact_supervised = true;
+    u.run(35.2);
+    EXPECT_TRUE(u.cycle().service_brake) << hole;
+  }
+}
+
 TEST(Contact, TheStampCountsNotTheArrival) {
   Unit u;
   u.up();
