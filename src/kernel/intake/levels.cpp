@@ -93,19 +93,40 @@ std::optional<procedures::level_transition::Order> order_of(const lang::PacketVi
   return order;
 }
 
+namespace {
+
+/// An order behind one of the same cycle that is executed is judged from the level to which that one leads (5.10.1.6).
+modes::OrderDecision give_further_order(Reception& r, const procedures::level_transition::Order& order) {
+  State& s = r.state;
+  const modes::AvailableLevels available = available_levels(s, r.in.national_system);
+  procedures::level_transition::JudgedOrder& first = *r.order;
+  const modes::OrderDecision decision = modes::judge(order.kind, order.table, first.decision.to, s.mode, available);
+  if (order.kind == modes::OrderKind::announcement) {
+    r.announcement = order;  // judged again when the level is entered
+    return decision;
+  }
+  if (decision.effect != OrderEffect::execute) {
+    first.order.table = order.table;  // 5.10.2.9 b
+    return decision;
+  }
+  delete_waiting_of_replaced(r, decision);
+  first = {order, decision};
+  if (decision.to.same_level(s.level)) first.decision.effect = OrderEffect::none;  // back to the level of now
+  r.announcement.reset();
+  return first.decision;
+}
+
+}  // namespace
+
 modes::OrderDecision give_order(Reception& r, const procedures::level_transition::Order& order) {
   State& s = r.state;
+  // The procedure evaluates one order per cycle, the last one; an earlier one of the same cycle is replaced (5.10.1.6).
+  if (executes_order(r)) return give_further_order(r, order);
   const modes::OrderDecision decision =
       modes::judge(order.kind, order.table, s.level, s.mode, available_levels(s, r.in.national_system));
-  // The procedure evaluates one order per cycle, the last one; an earlier one of the same cycle is replaced (5.10.1.6),
-  // but an order to be executed is never replaced by one that is not.
-  if (decision.effect == OrderEffect::execute || !executes_order(r)) {
-    delete_waiting_of_replaced(r, decision);
-    r.order = {order, decision};
-    r.announcement.reset();
-  } else if (order.kind == modes::OrderKind::announcement) {
-    r.announcement = order;
-  }
+  delete_waiting_of_replaced(r, decision);
+  r.order = {order, decision};
+  r.announcement.reset();
   return decision;
 }
 

@@ -96,6 +96,37 @@ TEST_F(Levels, AnOrderThatReplacesNoneLeavesWhatWaits) {  // 4.8.5.4 a, 5.10.2.5
   EXPECT_EQ(state.buffer.size(), 1u);
 }
 
+TEST_F(Levels, AnOrderBehindOneThatIsExecutedIsJudgedFromItsLevel) {  // 5.10.1.6
+  state.level.level = Level::L2;
+  const auto level_after = [&](std::initializer_list<procedures::level_transition::Order> orders) {
+    state.level.level = Level::L2;
+    state.level_transition = {};
+    state.level_table.reset();
+    reception.order.reset();
+    reception.announcement.reset();
+    for (const auto& order : orders) (void)give_order(reception, order);
+    run_level_transition(reception);
+    return state.level.level;
+  };
+  const auto immediate = [&](std::uint8_t M_LEVELTR) { return read(order_to(M_LEVELTR, 32767)); };
+  const auto conditional = [&](std::uint8_t first, std::uint8_t second) {
+    lang::Packet46 p;
+    p.M_LEVELTR.raw = first;
+    lang::Packet46_levels further;
+    further.M_LEVELTR.raw = second;
+    EXPECT_TRUE(p.levels.push_back(further));
+    return read(p);
+  };
+  EXPECT_EQ(level_after({immediate(0), immediate(3)}), Level::L2);
+  EXPECT_EQ(level_after({immediate(0), immediate(2)}), Level::L1);
+  EXPECT_EQ(level_after({immediate(2), immediate(2)}), Level::L1);
+  EXPECT_EQ(level_after({immediate(0), conditional(2, 3)}), Level::L1) << "level 0 is not in the table";
+  EXPECT_EQ(level_after({immediate(2), conditional(0, 2)}), Level::L1) << "level 1 is in the table";
+  ASSERT_TRUE(state.level_table.has_value());
+  EXPECT_EQ(state.level_table->size(), 2u) << "the table of the last one (5.10.2.9 b)";
+  EXPECT_EQ(level_after({immediate(0), conditional(3, 2)}), Level::L2);
+}
+
 TEST_F(Levels, WhatWaitsGoesWithAnOrderThatTheKeptOneReplaces) {  // 4.8.5.4 a, 4.4.8.1.5
   state.level.level = Level::L1;
   state.level_transition.pending = modes::PendingTransition{{.level = Level::L2}, at(1500.0)};
