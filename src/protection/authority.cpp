@@ -20,7 +20,10 @@ bool group_trips(const track::Authority& authority, Place first_possible, Distan
   if (!authority.EOA) return false;
   return first_possible >= *authority.EOA || first_possible > *authority.EOA - L_antenna_front;
 }
-void request(TrackAheadFree& state, Place from, Place to) { state = TrackAheadFree{from, to, false}; }
+void request(TrackAheadFree& state, Place from, Place to) {
+  const bool repeated = state.from == from && state.to == to;
+  state = TrackAheadFree{from, to, repeated && state.asking};
+}
 
 bool ask(TrackAheadFree& state, Place est_front, bool acknowledged) {
   if (!state.from) return false;
@@ -29,8 +32,9 @@ bool ask(TrackAheadFree& state, Place est_front, bool acknowledged) {
     return false;
   }
   // Once shown, the request stays, even when the train rolls back (A.3.5).
+  const bool was_shown = state.asking;
   state.asking = state.asking || est_front >= *state.from;
-  if (!state.asking || !acknowledged) return false;
+  if (!was_shown || !acknowledged) return false;  // the driver answers what he has seen, not a request of this cycle
   state = {};
   return true;
 }

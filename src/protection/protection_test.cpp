@@ -298,5 +298,15 @@ TEST(TrackAheadFree, AskedOnceGrantedOnce) {  // 3.15.5
   EXPECT_FALSE(taf.asking) << "its length is over";
 }
 
+TEST(TrackAheadFree, TheAnswerIsToTheRequestThatWasShown) {  // 3.15.5
+  TrackAheadFree taf;
+  request(taf, at(100), at(200));
+  EXPECT_FALSE(ask(taf, at(110), true)) << "not shown yet";
+  request(taf, at(100), at(300));
+  EXPECT_FALSE(ask(taf, at(111), true)) << "another one";
+  request(taf, at(100), at(300));
+  EXPECT_TRUE(ask(taf, at(112), true)) << "the same again";
+}
+
 }  // namespace
 }  // namespace evc::protection

@@ -81,6 +81,22 @@ void observe_authority(const State& s, const track::Here& here, procedures::Fact
   f.front_in_rear_of_track_description = track::before_track_description(s.track, here);
 }
 
+/// 4.6.3: an acknowledgement answers what is displayed. What trackside has made groundless in this cycle, a mode area
+/// that it took back or an offer that ended with its session, is not displayed any more. An area that the train enters
+/// now was displayed; in SB and PT the driver is asked for that at the train alone (5.4.3.2 S25, 5.11.2.2 S170).
+void withdraw_requests(const Decided& out, Mode mode, procedures::Facts& f) {
+  const Set<Ack> asked = out.effects.requests;
+  const bool at_train_alone = mode == Mode::SB || mode == Mode::PT;
+  const auto keep = [&](Ack ack, bool at_train) {
+    if (!at_train && (at_train_alone || !asked.has(ack))) f.requested.remove(ack);
+  };
+  keep(Ack::OS, f.profile_demands_OS);
+  keep(Ack::LS, f.profile_demands_LS);
+  keep(Ack::SH, f.profile_demands_SH);
+  if (!asked.has(Ack::RV)) f.requested.remove(Ack::RV);
+  if (mode == Mode::SB && !asked.has(Ack::SR)) f.requested.remove(Ack::SR);
+}
+
 void change_mode(State& s, const Inputs& in, const procedures::Facts& facts, Decided& out, Log log) {
   s.previous_mode = s.mode;
   const auto transition = modes::next_mode(s.mode, procedures::observe(facts, s.srs), s.srs);
@@ -153,6 +169,7 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log, Ex
   run_shunting(s, received, out.here, facts, out.effects);
   run_manoeuvre(s, in.train.desk_open, received, facts, out.effects);
   run_reversing(s, in.train.direction_controller, out);
+  withdraw_requests(out, s.mode, facts);
   observe_authority(s, out.here, facts);
   inhibit_antenna_alarm(s, received.selected);
   if (seen != nullptr) {
