@@ -1,6 +1,8 @@
 #include "kernel/here.h"
 #include "kernel/intake/filter.h"
 #include "kernel/intake/levels.h"
+#include "kernel/manoeuvre.h"
+#include "kernel/train_category.h"
 #include "lang/decode.h"
 #include "lang/packets/packet_65.h"
 #include "lang/packets/packet_72.h"
@@ -44,6 +46,23 @@ bool repeats_text(const State& s, const lang::PacketView& view) {
   return false;
 }
 
+/// 4.8.3 [3]: data that are sent, or will be at the end of this cycle, in which the driver has entered them: what the
+/// RBC sent before it had them is for others.
+bool awaits_train_data_acknowledgement(const State& s, const radio::Partner& rbc) {
+  const bool due =
+      rbc.train_data_pending && valid(s.data.train_data_status) && s.mode != Mode::SL && s.mode != Mode::NL;
+  if (s.srs != SrsVersion::v4_0_0) return rbc.train_data_stamp.has_value() || due;
+  const bool others = !rbc.route_data_acknowledged || !(route_data(s.train) == *rbc.route_data_acknowledged);
+  return radio::awaits_train_data_acknowledgement(rbc) || (due && others);
+}
+
+/// 4.8.3 [17], as [3].
+bool awaits_consist_length_acknowledgement(const Reception& r) {
+  const radio::Partner& rbc = r.state.radio.supervising;
+  const bool changed = r.out.consist_changed && informs_of_consist(r.state);
+  return rbc.consist_stamp.has_value() || (radio::knows_manoeuvres(rbc.session) && (rbc.consist_due || changed));
+}
+
 }  // namespace
 
 bool authorises_manoeuvre(const Information& information) {
@@ -60,13 +79,12 @@ modes::AcceptanceContext context_of(const Reception& r, const Information& infor
   if (const auto to = ordered_level(r)) c.announced = to->level;
   const bool supervising = information.sender == SessionRole::supervising;
   const radio::Partner& rbc = supervising ? s.radio.supervising : s.radio.other;
-  c.train_data_unacknowledged =
-      s.srs == SrsVersion::v4_0_0 ? radio::awaits_train_data_acknowledgement(rbc) : rbc.train_data_stamp.has_value();
+  c.train_data_unacknowledged = awaits_train_data_acknowledgement(s, rbc);
   c.emergency_stop_pending = s.emergency_stops.any();
   c.exit_from_trip_recognised = r.out.exit_from_trip || procedures::train_trip::exit_recognised(s.train_trip);
   c.desk_open = r.in.train.desk_open;
   c.train_data_valid = valid(s.data.train_data_status) || authorises_manoeuvre(information);  // 4.8.4 [4]
-  c.consist_length_unacknowledged = s.radio.supervising.consist_stamp.has_value();
+  c.consist_length_unacknowledged = awaits_consist_length_acknowledgement(r);
   c.other_previous_lrbg = information.message != nullptr &&
                           information.message->NID_MESSAGE == message::coordinate_system_assigned &&
                           reported_with_others(s, information.group);
