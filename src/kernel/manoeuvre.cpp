@@ -20,14 +20,30 @@ bool ends_of_engine(const State& s) {
   return s.operated_X == 1 || (session.established() && !radio::knows_manoeuvres(session));
 }
 
+ConsistOfTrain in_train_orientation(const ConsistLength& consist, bool opposite) {
+  return opposite ? ConsistOfTrain{consist.rear, consist.front} : ConsistOfTrain{consist.front, consist.rear};
+}
+
+/// 3.6.1.7: from the min safe front end to the min safe rear end.
+Distance length(const ConsistOfTrain& consist) { return consist.ahead.min + consist.behind.max; }
+
 }  // namespace
 
 std::optional<ConsistOfTrain> consist_of_train(const State& s) {
   const bool standing_by = s.mode == Mode::SB && !valid(s.data.train_data_status) && !ends_of_engine(s);
   if (!s.manoeuvre.consist || !(s.manoeuvre.active || standing_by)) return std::nullopt;
-  const ConsistLength& consist = *s.manoeuvre.consist;
-  return s.manoeuvre.opposite ? ConsistOfTrain{consist.rear, consist.front}
-                              : ConsistOfTrain{consist.front, consist.rear};
+  return in_train_orientation(*s.manoeuvre.consist, s.manoeuvre.opposite);
+}
+
+std::optional<Distance> length_to_confirm(const State& s) {
+  if (valid(s.data.train_data_status) && !s.manoeuvre.active) return s.train.L_TRAIN;
+  if (!s.manoeuvre.available || !s.manoeuvre.consist) return std::nullopt;
+  if (!s.manoeuvre.active && ends_of_engine(s)) return std::nullopt;
+  return length(in_train_orientation(*s.manoeuvre.consist, s.manoeuvre.opposite));
+}
+
+bool reports_loss_of_consist(const State& s) {
+  return s.manoeuvre.captured && (s.mode != Mode::SB || length_to_confirm(s).has_value());
 }
 
 void place_front_end(State& s) {

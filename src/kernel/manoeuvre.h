@@ -15,6 +15,13 @@ struct ConsistOfTrain {
 /// (3.6.1.3.4, 3.18.3.2.4). None: elsewhere.
 std::optional<ConsistOfTrain> consist_of_train(const State& state);
 
+/// The length with which train integrity is reported: of valid train data, else of the safe consist length, as far as
+/// that counts (3.6.1.7, Table 2c, 4.4.7.1.6). None: neither is known.
+std::optional<Distance> length_to_confirm(const State& state);
+/// Without valid train data a loss of integrity is reported if the safe consist length is captured from the train, even
+/// while it is not available (Table 2c [4]); in SB only while it is (4.4.7.1.6 b).
+bool reports_loss_of_consist(const State& state);
+
 /// The front end of the train counts from now on as 3.6.1.3.4 has it.
 void place_front_end(State& state);
 /// The front end that a request for a manoeuvre reports, in every mode (5.21.2.2 A045).

@@ -13,6 +13,7 @@ struct Manoeuvre {
   /// As stored: in a mission it stays when its source has it no longer (3.18.3.2.5).
   std::optional<ConsistLength> consist;
   bool available = false;     ///< from its source, now
+  bool captured = false;      ///< the source has given it once: it is captured from the train (3.6.5.2.5 [4])
   bool active = false;        ///< from the first authorisation to the end of the mission, or NL (3.6.1.5.1)
   bool opposite = false;      ///< the train orientation is not that of the active cab
   bool authority = false;     ///< the stored authority is of a supervised manoeuvre authorisation

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "position/position.h"
 #include "terms/train_integrity.h"
@@ -17,14 +18,17 @@ struct IntegrityStatus {
 };
 
 struct IntegrityFacts {
-  TrainIntegrity device{};       ///< says the external source now
-  bool driver_confirms = false;  ///< at standstill (3.6.5.2.2)
+  TrainIntegrity device{};                ///< says the external source now
+  std::optional<Distance> device_length;  ///< of the train that it knows to be complete
+  bool driver_confirms = false;           ///< at standstill (3.6.5.2.2)
   bool train_data_valid = false;
   bool length_acknowledged = false;   ///< by the RBC, and no other length waits for the driver
   bool validated_since = false;       ///< train data, and the RBC has not acknowledged these: they confirm nothing
   bool session_established = false;   ///< in this cycle (3.6.5.2.6)
   bool consist_known = false;         ///< 4.0.0: no valid train data, but the safe consist length is available
   bool consist_acknowledged = false;  ///< by the RBC, if it was sent
+  bool consist_captured = false;      ///< 4.0.0: of a source of the safe consist length a loss counts (condition 4)
+  bool consist_changed = false;       ///< in this cycle, even to one of the same sum
   bool turned = false;                ///< 4.0.0: the train orientation changed in this cycle
   Distance L_TRAIN{};                 ///< from the min safe front end to the min safe rear end
 };

@@ -184,6 +184,65 @@ TEST_F(TrainIntegrityStatus, WhatCannotBeConfirmed) {
             Integrity::none);
 }
 
+TEST_F(TrainIntegrityStatus, ADeviceConfirmsNoLongerTrain) {
+  facts.device_length = 200_m;
+  by_device();
+  facts.device = TrainIntegrity::lost;
+  (void)cycle();
+  facts.device = TrainIntegrity::confirmed;
+  facts.device_length = 201_m;
+  (void)cycle();
+  EXPECT_EQ(status.integrity, Integrity::lost) << "and says of this one neither that it is complete nor unknown";
+  facts.device_length.reset();
+  (void)cycle();
+  EXPECT_EQ(status.integrity, Integrity::by_device);
+}
+
+/// Without valid train data.
+class ConsistIntegrityStatus : public TrainIntegrityStatus {
+ protected:
+  ConsistIntegrityStatus() {
+    facts.train_data_valid = facts.length_acknowledged = false;
+    facts.consist_known = facts.consist_acknowledged = facts.consist_captured = true;
+  }
+};
+
+TEST_F(ConsistIntegrityStatus, AnotherConsistOfTheSameLengthIsNotTheOneConfirmed) {
+  by_device();
+  facts.consist_changed = true;  // 7
+  (void)cycle();
+  EXPECT_EQ(status.integrity, Integrity::none);
+  facts.device = TrainIntegrity::confirmed;
+  (void)cycle();
+  EXPECT_EQ(status.integrity, Integrity::none) << "and the RBC has not acknowledged it";
+}
+
+TEST_F(ConsistIntegrityStatus, WithoutItsLengthItIsNotConfirmed) {
+  by_device();
+  facts.consist_known = false;  // 7
+  (void)cycle();
+  EXPECT_EQ(status.integrity, Integrity::none);
+  facts.device = TrainIntegrity::confirmed;
+  (void)cycle();
+  EXPECT_EQ(status.integrity, Integrity::none);
+}
+
+TEST_F(ConsistIntegrityStatus, ALossStaysWithoutItsLength) {
+  facts.device = TrainIntegrity::lost;
+  EXPECT_TRUE(cycle().lost);
+  facts.consist_known = false;
+  EXPECT_FALSE(cycle().lost);
+  EXPECT_EQ(status.integrity, Integrity::lost);
+  facts.device = TrainIntegrity::unknown;  // 6
+  (void)cycle();
+  EXPECT_EQ(status.integrity, Integrity::none);
+  facts.device = TrainIntegrity::lost;  // 4
+  EXPECT_TRUE(cycle().lost);
+  facts.consist_captured = false;
+  (void)cycle();
+  EXPECT_EQ(status.integrity, Integrity::none);
+}
+
 TEST_F(TrainIntegrityStatus, ANewSessionStartsWithoutInformation) {
   facts.driver_confirms = true;
   (void)cycle();

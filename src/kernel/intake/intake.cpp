@@ -103,12 +103,6 @@ void advance_track(Reception& r) {
   }
 }
 
-/// A source that gives a longer train than the train data confirms nothing (3.6.5.2.5 [3] of 4.0.0).
-TrainIntegrity integrity_of(const TrainSignals& train, Distance L_TRAIN) {
-  const bool longer = train.length_confirmed && !(*train.length_confirmed <= L_TRAIN);
-  return train.integrity == TrainIntegrity::confirmed && longer ? TrainIntegrity::unknown : train.integrity;
-}
-
 /// Whether a fault that affects safety acts now. One that is memorised is reported to the RBC once, in SL and NL: also
 /// one of PS, when these are entered.
 bool acts(State& s, bool fault, Received& out) {
@@ -180,7 +174,8 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   s.network.registered = in.train.radio_registered;
   s.network.changed = false;
   out.here = here(s);
-  out.integrity = integrity_of(in.train, consist_of_train(s) ? length_of(s) : s.train.L_TRAIN);
+  out.integrity = in.train.integrity;
+  out.length_confirmed = in.train.length_confirmed;
   operate_version_of_rbc(r, s.level.level);  // beyond the border between two RBCs
   change_rbc(r);
   receive_driver(r);

@@ -26,7 +26,7 @@ void store(Reception& r, const ConsistLength& consist) {
   Manoeuvre& m = s.manoeuvre;
   const bool was_in_front = m.consist && m.consist->front.max > Distance{};
   const bool changed = !m.available || m.consist != consist;
-  m.available = true;
+  m.available = m.captured = true;
   if (!changed) return;
   forget_track_behind(s, consist);
   m.consist = consist;

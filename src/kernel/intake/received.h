@@ -25,7 +25,8 @@ struct Received {
 
   bool entry_of_train_data_open = false;
 
-  TrainIntegrity integrity{};  ///< says an external source
+  TrainIntegrity integrity{};                ///< says an external source
+  std::optional<Distance> length_confirmed;  ///< of the train that it knows to be complete
   // The safe consist length (4.0.0)
   bool consist_changed = false;   ///< or it became available or unavailable
   bool consist_lost = false;      ///< it became unavailable

@@ -50,16 +50,20 @@ position::IntegrityEvents supervise_integrity(State& s, const Received& received
     return {};
   }
   position::IntegrityFacts facts;
+  const std::optional<Distance> length = length_to_confirm(s);
   facts.device = received.integrity;
+  facts.device_length = received.length_confirmed;
   facts.driver_confirms = received.selected.has(Select::integrity_confirmed);
-  facts.train_data_valid = valid(s.data.train_data_status);
+  facts.train_data_valid = valid(s.data.train_data_status) && !s.manoeuvre.active;  // 3.18.3.9
   facts.length_acknowledged = s.radio.supervising.train_data_acknowledged && !s.train_data_change.pending;
   facts.validated_since = s.radio.supervising.train_data_validated_since;
   facts.session_established = s.radio.supervising.established_now;
-  facts.consist_known = !facts.train_data_valid && s.manoeuvre.available;
+  facts.consist_known = !facts.train_data_valid && length.has_value();
+  facts.consist_captured = reports_loss_of_consist(s);
   facts.consist_acknowledged = !s.radio.supervising.consist_stamp && !s.radio.supervising.consist_due;
+  facts.consist_changed = received.consist_changed;
   facts.turned = received.train_turned;
-  facts.L_TRAIN = consist_of_train(s) ? length_of(s) : s.train.L_TRAIN;
+  facts.L_TRAIN = length.value_or(Distance{});
   return position::supervise(s.integrity, s.position, facts);
 }
 
