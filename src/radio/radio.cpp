@@ -123,11 +123,12 @@ void send_train_data_to(Partner& p, Peer peer, const Inputs& in, Outbox& out) {
   out.send(message::validated_train_data);
 }
 
-void send_consist_length(State& s, const Inputs& in, Outbox& out) {
-  Partner& p = s.supervising;
-  p.consist_due = p.consist_due || in.consist_due;
+/// In a manoeuvre it takes the place of train data (3.15.1.3.3, 3.18.3.9): both RBCs are informed.
+void send_consist_length(Partner& p, Peer peer, bool due, Outbox& out) {
+  p.consist_due = p.consist_due || (due && p.session.established());
   if (!p.consist_due || p.session.phase != Phase::up || !knows_manoeuvres(p.session)) return;
   p.consist_due = false;
+  const Addressed to(out, peer);
   out.send(message::safe_consist_length);
 }
 
@@ -324,11 +325,12 @@ Result supervise(State& s, const Inputs& in, Outbox& out) {
   if (report && !report_first) result.reported_to_other = send_report(s, in, out);
   for (const Peer peer : kRbcs) {
     Partner& p = s.partner(peer);
-    if (p.session.phase != Phase::up) continue;
-    result.session_established = result.session_established || p.established_now;
-    p.established_now = false;
+    const bool established_now = p.session.phase == Phase::up && p.established_now;
+    const bool accepting = peer == Peer::other && s.other_accepts;
+    send_consist_length(p, peer, in.consist_due || (established_now && accepting && in.in_manoeuvre), out);
+    result.session_established = result.session_established || established_now;
+    p.established_now = p.established_now && !established_now;
   }
-  send_consist_length(s, in, out);
   send_ma_request(s, in, out);
   stamp(s, in, out);
   order_bearer(s, out);

@@ -202,7 +202,8 @@ struct Inputs {
   bool errors_reported = true;    ///< the mode reports errors (4.5.2): the next one is in the report
   bool start_of_mission = false;  ///< a report is due, as 157 with Q_STATUS (5.4)
   bool consist_known = false;     ///< 4.0.0: 157 holds packet 10 (8.4.4.4.3)
-  bool consist_due = false;       ///< 4.0.0: 133 is due to the supervising RBC (3.18.3.10)
+  bool consist_due = false;       ///< 4.0.0: 133 is due (3.18.3.10)
+  bool in_manoeuvre = false;      ///< 4.0.0: an accepting RBC is given the safe consist length (3.15.1.3.3)
   bool running_number_valid = false, running_number_entered = false;  ///< entered: in this cycle, not by an RBC
   std::optional<Rbc> running_number_from;                             ///< the RBC that gave it
   std::uint8_t Q_STATUS = 1;

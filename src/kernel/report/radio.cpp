@@ -194,6 +194,7 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   in.running_number_from = named_rbc(s.data.train_running_number_from);
   in.consist_known = s.manoeuvre.consist.has_value();
   in.consist_due = received.consist_changed && informs_of_consist(s);
+  in.in_manoeuvre = s.manoeuvre.active;
   in.reasons = request_reasons(s, received, decided, request_before_perturbation);
   in.NID_LTRBG = received.NID_LTRBG;
   note_contact(s);
