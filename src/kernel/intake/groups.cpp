@@ -107,6 +107,8 @@ void relocate_stored(State& s, Anchor of, Anchor then, const Relocation& by) {
 /// The group becomes the LRBG, or only the reference of its own information.
 const position::Reference& locate(Reception& r, const balise::Group& group) {
   State& s = r.state;
+  // 3.6.1.4 of 4.0.0: the invalid position is deleted, with the groups of before: the way from them is not known.
+  if (s.srs == SrsVersion::v4_0_0 && s.position.status == DataStatus::invalid) position::forget(s.position);
   position::Passage passage;
   passage.id = group.id;
   passage.counter = group.counter;
