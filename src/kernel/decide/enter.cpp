@@ -11,6 +11,12 @@ bool antenna_in_metal(const State& s, const track::Here& here) {
   return protection::over_metal(s.track, here.min_safe_antenna, here.max_safe_antenna);
 }
 
+/// 5.22.3.1 of 4.0.0: the area in which the antenna was is reset, the metal stays. The alarm is inhibited from here on.
+void inhibit_alarm_in_metal(State& s, bool was_in_metal) {
+  if (s.srs == SrsVersion::v4_0_0 && was_in_metal && s.track.big_metal.empty())
+    s.antenna_alarm.inhibited = s.position.now.counter;
+}
+
 /// 3.11.7.1.1: of the area whose order or acknowledgement leads to SH ([50], [51], [61]); 4.10 deletes it then.
 track::SpeedCode speed_of_area(const State& s, int number, const track::Here& here) {
   if (number != 50 && number != 51 && number != 61) return track::kNoSpeed;
@@ -31,9 +37,7 @@ void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log)
   if (to == Mode::SH && number == 5) s.track.sh_list.reset();
   const bool in_metal = antenna_in_metal(s, here);
   keep_for_mode(s, to, from);
-  // 5.22.3.1 of 4.0.0: the area goes, the metal stays.
-  if (s.srs == SrsVersion::v4_0_0 && in_metal && s.track.big_metal.empty() && to != Mode::NP && to != Mode::RV)
-    s.antenna_alarm.inhibited = s.position.now.counter;
+  if (to != Mode::NP && to != Mode::RV) inhibit_alarm_in_metal(s, in_metal);
   if (to == Mode::LS) s.lssma.on = false;  // 4.4.19.1.4.6; an order of this cycle has its own time
   if (!supervises_authority(to)) s.ma_with_trip_order = false;
   // A group that is only partly read is not continued after power off, nor a change of deleted train data.
@@ -58,6 +62,13 @@ void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log)
   protection::enter_mode(s.guards, protection::guards_of(to), position::forward_counter(s.position));
   // 4.4.11.1.3.1: unless the RBC gave a distance with its authorisation.
   if (to == Mode::SR && !s.staff_responsible.by_rbc) limit_SR_distance(s, here);
+}
+
+void end_start_of_mission(State& s, const track::Here& here) {
+  const bool in_metal = antenna_in_metal(s, here);
+  keep_for_closed_desk(s);
+  inhibit_alarm_in_metal(s, in_metal);
+  ++s.revision;
 }
 
 }  // namespace evc::kernel

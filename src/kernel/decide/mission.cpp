@@ -1,5 +1,6 @@
 #include "kernel/decide/mission.h"
 
+#include "kernel/decide/enter.h"
 #include "kernel/here.h"
 #include "kernel/stored.h"
 #include "kernel/train_data.h"
@@ -143,10 +144,7 @@ void run_start_of_mission(State& s, bool desk_open, const Received& received, st
     change_statuses(s, effects.status);
     out.here = here(s);
   }
-  if (was_running && s.mode == Mode::SB && !desk_open) {
-    keep_for_closed_desk(s);
-    ++s.revision;
-  }
+  if (was_running && s.mode == Mode::SB && !desk_open) end_start_of_mission(s, out.here);
   if (s.start_of_mission.step == procedures::start_of_mission::Step::S21) out.start_selected = true;
 }
 
