@@ -30,11 +30,12 @@ void ask_for_national_system(Mode mode, const NationalSystem& national_system, b
 
 /// Of a train that reports on its service brake: the signal, and the pressure (3.14.1.2).
 void take_feedback(const State& s, const TrainSignals& train, brakes::Context& context) {
-  if (!s.train.service_brake_feedback) return;
+  if (!supervised_train(s).service_brake_feedback) return;
   context.feedback = {train.service_brake_feedback, train.brake_pressure_kpa};
   // Without special brakes: not shorter than with them.
   const train::BrakeStatus none{false, false, false, false, false};
-  if (!s.brakes.active.empty()) context.T_bs = train::build_up_times(s.train, s.national_values, none, true).T_bs;
+  if (!s.brakes.active.empty())
+    context.T_bs = train::build_up_times(supervised_train(s), s.national_values, none, true).T_bs;
 }
 
 /// Brake commands from all causes of this cycle (3.14.1). Returns whether a release waits for the driver.
@@ -47,8 +48,8 @@ bool command_brakes(State& s, const TrainSignals& train, const Received& receive
   context.driver_acknowledges = received.acknowledged.has(Ack::brake);
   context.srs = s.srs;
   context.new_consistent_message = received.new_radio_message;
-  context.service_brake_fitted = s.train.service_brake_interface;
-  context.traction_cut_off_fitted = s.train.traction_cut_off_interface;
+  context.service_brake_fitted = supervised_train(s).service_brake_interface;
+  context.traction_cut_off_fitted = supervised_train(s).traction_cut_off_interface;
   context.now = s.now;
   take_feedback(s, train, context);
   brakes::Command command = brakes::command(s.brakes, asked, context);

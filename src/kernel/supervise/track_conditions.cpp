@@ -2,6 +2,7 @@
 
 #include "kernel/basis.h"
 #include "kernel/here.h"
+#include "kernel/manoeuvre.h"
 #include "sdm/locations.h"
 #include "track/indication.h"
 
@@ -70,7 +71,8 @@ void advance_track_conditions(State& s, Derived& d, const track::Here& here) {
   if (!watch.stopping || !supervises_speed(s.mode)) return;
   const Stops stops(d, V);
   for (track::TrackCondition& c : s.track.conditions)
-    if (c.kind == TrackConditionKind::non_stopping_area) advance_non_stopping_area(c, s.train, here, stops, watch);
+    if (c.kind == TrackConditionKind::non_stopping_area)
+      advance_non_stopping_area(c, supervised_train(s), here, stops, watch);
   advance_tunnel_stopping_areas(s.track, here, stops);
 }
 
