@@ -31,7 +31,11 @@ class Unit:
     """The on-board behind the port: one connection is one unit."""
 
     def __init__(self, port, configuration):
-        self.connection = socket.create_connection(("127.0.0.1", port))
+        try:
+            self.connection = socket.create_connection(("127.0.0.1", port))
+        except (OSError, OverflowError) as wrong:
+            reason = getattr(wrong, "strerror", None) or wrong
+            raise SystemExit(f"bridge: --port {port}: found {reason}, expected evc serve there") from None
         self.lines = self.connection.makefile("r", encoding="utf-8")
         self.unsent = [{"config": configuration}]
 

@@ -48,6 +48,7 @@ class CommandLine(unittest.TestCase):
         self.refused("tools/mutate.py", "sdm", "--jobs", "0", says="--jobs")
         self.refused("tools/check_must_not_compile.py", "c++", says="JOBS: found 'x'", environment={"JOBS": "x"})
         self.refused("examples/bridge/bridge.py", ROOT / "data/lines/brunnental.json", "--port", "x", says="--port")
+        self.refused("examples/bridge/bridge.py", ROOT / "data/lines/brunnental.json", "--port", "1", says="--port 1: found")
 
     def test_files_and_folders_that_are_not_there(self):
         for path in ("tools/check_links.py", "tools/check_tree.py", "tools/check_words.py", "tools/check_layers.py", "tools/check_texts.py"):
