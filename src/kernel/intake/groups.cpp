@@ -127,8 +127,6 @@ const position::Reference& locate(Reception& r, const balise::Group& group) {
     r.out.new_lrbg = true;
     return s.position.references.back();
   }
-  // 4.0.0: it makes the position valid, and what was invalid is deleted (3.6.1.4).
-  if (s.srs == SrsVersion::v4_0_0 && s.position.status == DataStatus::invalid) position::forget(s.position);
   // Data of the unlinked group before it move only where it is the reference of the position.
   const position::Relocated by = position::refer_to_unlinked(s.position, passage);
   relocate_stored(s, Anchor::unlinked, Anchor::unlinked, by.unlinked);
