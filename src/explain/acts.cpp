@@ -17,9 +17,8 @@ bool told(const kernel::Outputs& outputs, What what, std::int32_t id = port::Eve
 bool refused(const kernel::Outputs& outputs, port::Select select) {
   return told(outputs, What::selection_not_enabled, static_cast<std::int32_t>(select));
 }
-/// One event for all of them; train data are an entry.
 bool refused(const kernel::Outputs& outputs, Ack ack) {
-  return ack != Ack::train_data && told(outputs, What::acknowledgement_not_enabled);
+  return told(outputs, What::acknowledgement_not_enabled, static_cast<std::int32_t>(ack));
 }
 bool SR_data_refused(const kernel::Outputs& outputs) {
   return told(outputs, What::entry_not_enabled, static_cast<std::int32_t>(port::Entered::SR_speed_distance)) ||

@@ -100,7 +100,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::selection_not_enabled, "driver", Takes::select, nullptr, ": not enabled"},
     {What::entry_not_enabled, "driver", Takes::entered, nullptr, ": not enabled"},
     {What::entry_out_of_range, "driver", Takes::entered, nullptr, ": out of range"},
-    {What::acknowledgement_not_enabled, "driver", Takes::nothing, "acknowledgement", ": not enabled"},
+    {What::acknowledgement_not_enabled, "driver acknowledgement of", Takes::ack, nullptr, ": not enabled"},
     {What::train_data_valid, "train data", Takes::nothing, "valid"},
     {What::train_data_refused, "train data", Takes::fault, nullptr},
     {What::SR_data_out_of_range, "SR speed and distance", Takes::nothing, "refused: out of range"},
@@ -187,6 +187,8 @@ void add_numbers(ShortText& line, const port::Event& e, Takes takes) {
       return word(words_of(static_cast<port::Select>(e.id)));
     case Takes::entered:
       return word(words_of(static_cast<port::Entered>(e.id)));
+    case Takes::ack:
+      return word(kAckRows[static_cast<std::size_t>(e.id)].name);
     case Takes::version:  // M_VERSION
       line.add(" ");
       line.add(std::int64_t{e.id >> 4});

@@ -24,6 +24,7 @@ enum class Takes : std::uint8_t {
   levels,   ///< `from` and `to` are levels
   select,   ///< `id` is a Select
   entered,  ///< `id` is an Entered
+  ack,      ///< `id` is an Ack
   version,  ///< `id` is an M_VERSION
   fault,    ///< `id` is a train::Fault
   gap       ///< `id` is an EditionGap

@@ -96,7 +96,7 @@ enum class What : std::uint8_t {
   selection_not_enabled,  ///< `id` is a Select
   entry_not_enabled,      ///< `id` is an Entered
   entry_out_of_range,     ///< the same
-  acknowledgement_not_enabled,
+  acknowledgement_not_enabled,  ///< `id` is an Ack
   train_data_valid,
   train_data_refused,  ///< `id` is a train::Fault
   SR_data_out_of_range,

@@ -115,7 +115,9 @@ std::uint16_t acknowledged_text(const State& s, std::uint16_t named, Log log) {
     if (named == 0 || waiting == named) return waiting;
   if (s.status_texts.shown.has(StatusText::NL_no_longer_permitted) && (named == 0 || named == kEndOfNL))
     return kEndOfNL;
-  if (named != 0) log.note({.what = What::acknowledgement_not_enabled, .clause = "4.7.2"_srs});
+  if (named != 0)
+    log.note(
+        {.what = What::acknowledgement_not_enabled, .id = static_cast<std::int32_t>(Ack::text), .clause = "4.7.2"_srs});
   return 0;
 }
 

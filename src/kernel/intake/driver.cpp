@@ -88,13 +88,21 @@ Set<Select> enabled_selections(Reception& r) {
   return selected;
 }
 
-/// None with a closed desk (4.4.7.1.4, 4.4.13.1.6). Train data are an entry, which is judged as one.
+/// Those that were asked for when the driver gave them, none with a closed desk (4.4.7.1.4, 4.4.13.1.6). Train data are
+/// an entry, which is judged as one.
 Set<Ack> acknowledgements(Reception& r) {
   Set<Ack> given = Set<Ack>::of_bits(r.in.driver.acknowledged);
-  if (r.in.train.desk_open) return given;
+  const bool train_data = given.has(Ack::train_data) && r.in.train.desk_open;
   given.remove(Ack::train_data);
-  if (!given.empty()) r.log.note({.what = What::acknowledgement_not_enabled, .clause = "4.7.2"_srs});
-  return {};
+  for (const terms::Row<Ack>& row : kAckRows) {
+    const Ack ack = row.value;
+    if (!given.has(ack) || (r.in.train.desk_open && r.state.requested.has(ack))) continue;
+    r.log.note(
+        {.what = What::acknowledgement_not_enabled, .id = static_cast<std::int32_t>(ack), .clause = "4.7.2"_srs});
+    given.remove(ack);
+  }
+  given.add(Ack::train_data, train_data);
+  return given;
 }
 
 /// Whether the data were accepted.
