@@ -83,18 +83,24 @@ void observe_authority(const State& s, const track::Here& here, procedures::Fact
 
 /// 4.6.3: an acknowledgement answers what is displayed. What trackside has made groundless in this cycle, a mode area
 /// that it took back or an offer that ended with its session, is not displayed any more. An area that the train enters
-/// now was displayed; in SB and PT the driver is asked for that at the train alone (5.4.3.2 S25, 5.11.2.2 S170).
-void withdraw_requests(const Decided& out, Mode mode, procedures::Facts& f) {
-  const Set<Ack> asked = out.effects.requests;
-  const bool at_train_alone = mode == Mode::SB || mode == Mode::PT;
-  const auto keep = [&](Ack ack, bool at_train) {
-    if (!at_train && (at_train_alone || !asked.has(ack))) f.requested.remove(ack);
+/// now was displayed, and so was one ahead that was asked for in the cycle in which the mode changed (5.9.3.4); in SB
+/// and PT the driver is asked for that at the train alone (5.4.3.2 S25, 5.11.2.2 S170).
+void withdraw_requests(const State& s, Set<Ack> asked, procedures::Facts& f) {
+  const bool at_train_alone = s.mode == Mode::SB || s.mode == Mode::PT;
+  const auto ahead = [&](Mode mode) {
+    for (const track::ModeArea& area : s.track.mode_profile)
+      if (area.mode == mode) return s.mode != s.previous_mode;
+    return false;
   };
-  keep(Ack::OS, f.profile_demands_OS);
-  keep(Ack::LS, f.profile_demands_LS);
-  keep(Ack::SH, f.profile_demands_SH);
+  const auto keep = [&](Ack ack, Mode mode, bool at_train) {
+    const bool displayed = !at_train_alone && (asked.has(ack) || ahead(mode));
+    if (!at_train && !displayed) f.requested.remove(ack);
+  };
+  keep(Ack::OS, Mode::OS, f.profile_demands_OS);
+  keep(Ack::LS, Mode::LS, f.profile_demands_LS);
+  keep(Ack::SH, Mode::SH, f.profile_demands_SH);
   if (!asked.has(Ack::RV)) f.requested.remove(Ack::RV);
-  if (mode == Mode::SB && !asked.has(Ack::SR)) f.requested.remove(Ack::SR);
+  if (s.mode == Mode::SB && !asked.has(Ack::SR)) f.requested.remove(Ack::SR);
 }
 
 void change_mode(State& s, const Inputs& in, const procedures::Facts& facts, Decided& out, Log log) {
@@ -171,7 +177,7 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log, Ex
   run_shunting(s, received, out.here, facts, out.effects);
   run_manoeuvre(s, in.train.desk_open, received, facts, out.effects);
   run_reversing(s, in.train.direction_controller, out);
-  withdraw_requests(out, s.mode, facts);
+  withdraw_requests(s, out.effects.requests, facts);
   observe_authority(s, out.here, facts);
   inhibit_antenna_alarm(s, received.selected);
   if (seen != nullptr) {
