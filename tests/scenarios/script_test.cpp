@@ -172,6 +172,15 @@ TEST(Runner, every_kind_of_expectation_can_fail) {
   }
 }
 
+TEST(Runner, an_empty_list_of_a_message_is_empty) {
+  const std::string session =
+      "scenario a\n  given desk opened\n  and waits 1 s\n  and driver enters { driver_id 1234 }\n  and driver enters { "
+      "level 2 }\n  and driver enters { rbc { NID_C 1, NID_RBC 1, NID_RADIO \"FFFFFFFFFFFFFFFF\" } }\n  and waits 0.2 "
+      "s\n  and session connected\n  when message 32\n  then sends message 159 packet 2 { versions ";
+  EXPECT_EQ(failure_of(session + "[ { M_VERSION 16 } ] } [3.5.3.7]\n"), "");
+  EXPECT_TRUE(contains(failure_of(session + "[ ] } [3.5.3.7]\n"), "found:    only"));
+}
+
 TEST(Runner, every_output_of_the_list_is_one) {
   const std::string error = error_of("scenario a\n  when desk opened\n  then nothing is 1 [4.6.3]\n");
   const std::string list = "or an output: ";

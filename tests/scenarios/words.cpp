@@ -475,6 +475,7 @@ Json sent_members(const Value& members) {
   for (const Value& value : members.members) {
     const std::string& key = value.name;
     if (value.kind == Value::Kind::list && is_sent_list(key)) {
+      out[key] = Json::array();
       for (const Value& item : value.items) out[key].push_back(sent_members(item));
       continue;
     }
