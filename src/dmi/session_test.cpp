@@ -602,6 +602,25 @@ TEST_F(Session, HeldDownButtonRepeats) {
   EXPECT_LE(state.scroll, 8);
 }
 
+// 015560 5.3.2.6.4, 5.3.2.6.5: pressed and at once enabled again, each time that it acts.
+TEST_F(Session, DownButtonsAreSeenPressedOnlyWhenTheyAct) {
+  for (int i = 0; i < 20; ++i) text(static_cast<std::uint16_t>(i + 1), "t", 600 + i, false);
+  at(0);
+  const Action down{ActionKind::scroll_down, 0};
+  ASSERT_TRUE(press(state, test::middle(rect_of(Area::E11)), Duration{100.0}));
+  for (const auto& [after, pressed] : std::vector<std::pair<double, bool>>{{0.0, true},
+                                                                           {0.05, true},
+                                                                           {0.2, false},
+                                                                           {1.4, false},
+                                                                           {1.51, true},
+                                                                           {1.7, false},
+                                                                           {1.81, true},
+                                                                           {2.0, false}}) {
+    tick(state, Duration{100.0 + after});
+    EXPECT_EQ(looks_pressed(state, down, Duration{100.0 + after}), pressed) << after;
+  }
+}
+
 TEST_F(Session, ToggleIsOffAtEveryEntry) {
   display.mode = Mode::OS;
   at(0);

@@ -12,6 +12,8 @@ namespace evc::dmi {
 namespace {
 
 constexpr Duration kBlink{0.25}, kDelay{2.0}, kFirstRepeat{1.5}, kRepeat{0.3};
+/// How long a down button is seen pressed: it is enabled again immediately (015560 5.3.2.6.4).
+constexpr Duration kGlimpse{0.1};
 
 void act(State& state, Action action, Duration now);
 
@@ -175,6 +177,10 @@ bool looks_pressed(const State& state, Action action, Duration now) {
   const Pressed& pressed = state.pressed;
   if (!pressed.held || !pressed.inside || !(pressed.target.action == action)) return false;
   const Duration held = now - pressed.since;
+  if (down_type(pressed.target.type)) {
+    const Duration acted = pressed.repeats == 0 ? Duration{} : kFirstRepeat + double(pressed.repeats - 1) * kRepeat;
+    return held - acted < kGlimpse;
+  }
   if (pressed.target.type != ButtonType::delay || held >= kDelay) return true;
   return whole(held.si / kBlink.si - 0.5, 0, 8) % 2 == 0;
 }
