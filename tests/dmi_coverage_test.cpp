@@ -232,8 +232,8 @@ struct Record {
 std::string likeness(const State& s) {
   std::ostringstream out;
   out << int(s.window) << ' ' << int(s.page) << ' ' << int(s.entry.selected) << ' ' << int(s.entry.choices_from) << ' '
-      << s.from_driver_id << s.running_number_next << s.fixed_train_entry << s.awaited.on << s.toggles.speed
-      << s.toggles.tunnel << s.toggles.geo << ' ' << int(s.zoom) << ' ' << s.scroll << ' ' << s.offered.has_value();
+      << s.from_driver_id << s.fixed_train_entry << s.awaited.on << s.toggles.speed << s.toggles.tunnel << s.toggles.geo
+      << ' ' << int(s.zoom) << ' ' << s.scroll << ' ' << s.offered.has_value();
   for (const dmi::Field& field : s.entry.fields)
     out << ' ' << int(field.id) << field.accepted << field.typed << (field.value.typed.view().size() > 1)
         << field.value.given() << int(field.check) << (s.entry.fields.size() == 1 ? field.value.choice : 0);

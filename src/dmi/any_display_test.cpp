@@ -312,7 +312,7 @@ void check_enabled(const Commands& commands, const State& before) {
   };
   entered(done.driver_id.has_value(), Button::driver_id);
   entered(done.level.has_value(), Button::level);
-  entered(done.train_running_number.has_value() && !before.running_number_next, Button::train_running_number);
+  entered(done.train_running_number.has_value(), Button::train_running_number);
   entered(commands.train_data.has_value(), Button::train_data);
   entered(done.rbc_contact.has_value(), Button::enter_rbc_data);
   entered(done.network.has_value(), Button::gsmr_network_id);

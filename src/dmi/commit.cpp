@@ -70,7 +70,6 @@ void commit_level(State& state, Duration now) {
 void commit_number(State& state) {
   const std::string_view digits = characters_of(state, FieldId::train_running_number);
   state.commands.actions.train_running_number = static_cast<std::uint32_t>(to_bcd(digits, 8));
-  state.running_number_next = false;
   if (state.from_driver_id) {
     state.from_driver_id = false;
     return open_window(state, WindowId::driver_id);
@@ -162,7 +161,6 @@ void commit_validation(State& state, Duration now) {
   // 015560 11.7.3 D6: without a valid train running number it is entered next.
   if (state.display.data.stored.train_running_number_status != DataStatus::valid) {
     open_window(state, WindowId::train_running_number);
-    state.running_number_next = true;
     return;
   }
   if (level_2_or_3(state.display.level) && state.display.radio == RadioIndication::up)

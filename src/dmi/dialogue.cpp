@@ -176,7 +176,7 @@ void close_lost(State& state) {
   const port::Display& display = state.display;
   const WindowRow& row = row_of(state.window);
   if (display.start_of_mission || !row.closes_on_loss || row.button >= Button::count) return;
-  if (state.running_number_next || display.buttons.has(row.button)) return;
+  if (display.buttons.has(row.button)) return;
   abort_entry(state);
 }
 

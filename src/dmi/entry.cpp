@@ -48,11 +48,6 @@ constexpr int kDeleteKey = 10, kZeroKey = 11, kLastKey = 12, kNoKey = 7, kYesKey
 constexpr std::array<std::string_view, 9> kLetters{"1",    "2abc",  "3def", "4ghi", "5jkl",
                                                    "6mno", "7pqrs", "8tuv", "9wxyz"};
 
-bool uses_train_types(const State& state) {
-  const port::TrainDataEntry kind = state.display.config.train_data_entry;
-  return kind == port::TrainDataEntry::fixed || (kind == port::TrainDataEntry::switchable && state.fixed_train_entry);
-}
-
 const port::EntryRange* range_of(const State& state, FieldId id) {
   const port::DisplayConfig& config = state.display.config;
   switch (id) {
@@ -99,11 +94,31 @@ int choice_of_key(const State& state, FieldId id, int number) {
   return state.entry.choices_from + number - 1;
 }
 
+/// Whether a check at Enter has rejected the value.
+bool rejected(const Field& field) {
+  return field.check == Check::technical_range || field.check == Check::operational_range;
+}
+
+/// The first key since the field was selected, or since a check rejected the value, replaces what is shown
+/// (015560 10.3.1.19).
+bool replaces(const Field& field) { return !field.typed || rejected(field); }
+
 /// The echo texts of fields that a rule across them has rejected show their values again.
 void end_cross_check(Entry& entry) {
   entry.cross = Check::passed;
   for (Field& field : entry.fields)
     if (field.check == Check::technical_cross || field.check == Check::operational_cross) field.check = Check::passed;
+}
+
+/// Before a key changes what is shown: the data value is kept until it is replaced or deleted. One that a check has
+/// rejected is not.
+void keep(Field& field) {
+  if (rejected(field)) {
+    field.kept = Value{};
+  } else if (!field.typed) {
+    field.kept = field.value;
+    field.kept_accepted = field.accepted;
+  }
 }
 
 void changed(State& state, Field& field) {
@@ -112,12 +127,6 @@ void changed(State& state, Field& field) {
   field.check = Check::passed;
   state.entry.overruled = 0;
   end_cross_check(state.entry);
-}
-
-/// The first key since the field was selected, or since a check rejected the value, replaces what is shown
-/// (015560 10.3.1.19).
-bool replaces(const Field& field) {
-  return !field.typed || field.check == Check::technical_range || field.check == Check::operational_range;
 }
 
 void type_character(Field& field, char c) {
@@ -215,6 +224,11 @@ bool is_entered(const port::Display& display, FieldId id) {
   }
 }
 
+bool uses_train_types(const State& state) {
+  const port::TrainDataEntry kind = state.display.config.train_data_entry;
+  return kind == port::TrainDataEntry::fixed || (kind == port::TrainDataEntry::switchable && state.fixed_train_entry);
+}
+
 void begin_entry(State& state, WindowId window) {
   state.entry = Entry{};
   const bool types = window == WindowId::train_data && uses_train_types(state);
@@ -296,6 +310,7 @@ void press_key(State& state, int number, Duration now) {
   const Keyboard keyboard = keyboard_of(field->id);
   if (keyboard == Keyboard::dedicated || keyboard == Keyboard::yes_no) {
     if (key.choice >= 0) {
+      keep(*field);
       field->value = Value{};
       field->value.choice = key.choice;
       return changed(state, *field);
@@ -304,6 +319,7 @@ void press_key(State& state, int number, Duration now) {
     state.entry.choices_from = static_cast<std::uint8_t>(next < choices_of(state, field->id) ? next : 0);
     return;
   }
+  keep(*field);
   field->value.choice = -1;
   if (number == kDeleteKey) {
     if (!field->value.typed.empty()) --field->value.typed.length;
@@ -340,8 +356,7 @@ bool touch_field(State& state, std::size_t place) {
   if (place != entry.selected) {
     // A new value that was not accepted is erased, and the old one is deleted (015560 10.3.1.20).
     if (current.typed && !current.accepted) current.value = Value{};
-    if (current.check == Check::technical_range || current.check == Check::operational_range)
-      current.check = Check::passed;
+    if (rejected(current)) current.check = Check::passed;
     current.typed = false;
     select(state, place);
     entry.fields[place].typed = false;
@@ -355,6 +370,8 @@ bool touch_field(State& state, std::size_t place) {
     return false;
   }
   if (current.check == Check::operational_range) current.check = Check::passed;
+  // A value accepted anew may be checked across again (015560 10.3.4.4.4).
+  if (entry.cross == Check::technical_cross) end_cross_check(entry);
   current.accepted = true;
   current.typed = false;
   if (entry.fields.size() == 1 && !is_full(state.window)) return true;
@@ -369,8 +386,7 @@ bool touch_field(State& state, std::size_t place) {
 bool can_turn_page(const State& state, bool forward) {
   if (is_entry(state.window)) {
     const Field* field = selected_field(state);
-    if (field != nullptr && (field->check == Check::technical_range || field->check == Check::operational_range))
-      return false;
+    if (field != nullptr && rejected(*field)) return false;
   }
   return forward ? state.page + 1u < pages_of(state) : state.page > 0;
 }
@@ -379,7 +395,7 @@ bool complete_enabled(const State& state) {
   if (state.entry.fields.empty() || state.entry.cross == Check::technical_cross) return false;
   for (const Field& field : state.entry.fields) {
     const bool held = field.value.given() && !(field.typed && !field.accepted);
-    if (!held || field.check == Check::technical_range || field.check == Check::operational_range) return false;
+    if (!held || rejected(field)) return false;
   }
   return true;
 }
@@ -448,8 +464,10 @@ Echo echo_of(const State& state, const Field& field) {
     case Check::passed:
       break;
   }
-  const bool unaccepted = field.typed && !field.accepted;
-  return {unaccepted ? Words{} : shown_value(state, field), field.accepted ? Colour::white : Colour::grey};
+  if (!field.typed) return {shown_value(state, field), field.accepted ? Colour::white : Colour::grey};
+  Field data = field;
+  data.value = field.kept;
+  return {shown_value(state, data), field.kept_accepted ? Colour::white : Colour::grey};
 }
 
 }  // namespace evc::dmi

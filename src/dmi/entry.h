@@ -18,6 +18,9 @@ inline constexpr std::size_t kFieldsPerPage = 4;
 
 /// Whether the driver enters the field with this train and these radio systems, and the data view shows it.
 bool is_entered(const port::Display&, FieldId);
+/// Whether train data are entered by a train type: the layout that was used last, where it can be switched
+/// (015560 11.3.9.6, 11.3.9.7.1).
+bool uses_train_types(const State&);
 /// Begins the process of a window: its fields with what is stored.
 void begin_entry(State&, WindowId);
 /// The fields that stand on the page that is shown: [first, last).

@@ -120,7 +120,6 @@ void show(State& state, const port::Display& display) {
   if (has_no_windows(display.mode) && state.window != WindowId::default_) {
     state.awaited = Awaited{};
     state.from_driver_id = false;
-    state.running_number_next = false;
     open_window(state, WindowId::default_);
   }
   assign_slots(state);

@@ -97,9 +97,13 @@ enum class Check : std::uint8_t {
 /// An input field.
 struct Field {
   FieldId id{};
-  Value value;
+  Value value;            ///< as it is shown: the data value, or that of the keys pressed
   bool typed = false;     ///< a key was pressed since it was selected
   bool accepted = false;  ///< in this process
+  /// The data value while keys are pressed, which the echo text goes on showing (015560 10.3.1.19 to 10.3.1.21), and
+  /// whether it was accepted.
+  Value kept = {};
+  bool kept_accepted = false;
   Check check = Check::passed;
 };
 
@@ -223,8 +227,6 @@ struct State {
   Entry entry;
   Entry validated;                 ///< the entry that a validation window asks about
   bool fixed_train_entry = false;  ///< switchable entry: the layout used last
-  bool running_number_next =
-      false;  ///< the train running number belongs to the entry of train data (015560 11.7.3 S3-3)
   /// Since level 2 was entered from level 0 or NTC, as long as the train may trip for it (015560 11.7.3 D5).
   std::optional<Duration> trip_awaited_since;
   Awaited awaited;

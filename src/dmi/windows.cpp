@@ -100,9 +100,9 @@ bool takes_place(const port::Display& display, Button instead) {
     case Button::exit_shunting:
       return display.mode == Mode::SH;
     case Button::continue_sm:
+      // Without valid train data no manoeuvre can be initiated in PT, but one be continued (Table 33).
       return display.mode == Mode::SM ||
-             (display.mode == Mode::PT && display.data.stored.train_status != DataStatus::valid &&
-              display.buttons.has(instead));
+             (display.mode == Mode::PT && display.data.stored.train_status != DataStatus::valid);
     case Button::bmm_revoke:
       return display.bmm_inhibited;
     default:
@@ -147,8 +147,7 @@ void fill_page(ViewItems& items) {
 
 void add_train_items(ViewItems& items, const State& state) {
   const DataStatus status = state.display.data.stored.train_status;
-  if (state.display.config.train_data_entry == port::TrainDataEntry::fixed)
-    add_stored(items, state, FieldId::train_type, status);
+  if (uses_train_types(state)) add_stored(items, state, FieldId::train_type, status);
   static constexpr auto kFields =
       std::to_array<FieldId>({FieldId::category, FieldId::length, FieldId::brake_percentage, FieldId::maximum_speed,
                               FieldId::axle_load, FieldId::airtight, FieldId::gauge});
@@ -273,13 +272,11 @@ void close_window(State& state) {
     parent = driver_id;
     state.from_driver_id = false;
   }
-  state.running_number_next = false;
   state.trip_awaited_since.reset();
   open_window(state, parent);
 }
 
 void abort_entry(State& state) {
-  state.running_number_next = false;
   state.from_driver_id = false;
   open_window(state, row_of(state.window).parent);
 }

@@ -292,6 +292,40 @@ TEST_F(Windows, FieldsAreSelectedAndAccepted) {
   EXPECT_EQ(item(Kind::field, "Length (m)").text.view(), "") << "not accepted: erased";
 }
 
+// 015560 10.3.1.19 to 10.3.1.21, 10.3.3.3: the echo text has the data value, which keys do not change until Enter, and
+// which is lost when another field is selected before.
+TEST_F(Windows, EchoesHaveTheDataValueUntilItIsReplaced) {
+  display.data.stored.train_status = DataStatus::valid;
+  display.data.stored.train.L_TRAIN = Distance{200.0};
+  cycle(0.1);
+  open(WindowId::train_data);
+  const auto echo = [&](const char* words, Colour colour) {
+    const Item& length = item(Kind::echo, "Length (m)");
+    EXPECT_EQ(length.text.view(), words);
+    EXPECT_TRUE(length.text.empty() || length.colour == colour);
+  };
+  ASSERT_TRUE(tap("field 2"));
+  echo("200", Colour::grey);
+  keys("31");
+  EXPECT_EQ(field_text(2), "31");
+  echo("200", Colour::grey);
+  ASSERT_TRUE(tap("field 2"));
+  echo("31", Colour::white);
+  ASSERT_TRUE(tap("field 2"));
+  keys("9");
+  echo("31", Colour::white);
+  keys("999");
+  ASSERT_TRUE(tap("field 2"));
+  echo("++++", Colour::red);
+  keys("4");
+  echo("", Colour::grey);  // what a check has rejected is no value
+  ASSERT_TRUE(tap("field 2") && tap("field 2"));
+  keys("5");
+  ASSERT_TRUE(tap("field 3"));
+  EXPECT_EQ(field_text(2), "");
+  echo("", Colour::grey);
+}
+
 TEST_F(Windows, RangesAreChecked) {
   open(WindowId::train_data);
   ASSERT_TRUE(tap("field 2"));
@@ -479,6 +513,32 @@ TEST_F(TrainData, CloseWhenTheTrainMoves) {
   EXPECT_EQ(state.window, WindowId::main);
 }
 
+// 015560 11.7.1.7, Table 48: also the window of the train running number that follows train data (11.7.3 S3-3).
+TEST_F(TrainData, TheRunningNumberAfterThemClosesWhenTheTrainMoves) {
+  enter_all();
+  ASSERT_TRUE(tap("Yes") && tap("field 1"));
+  ASSERT_EQ(state.window, WindowId::train_running_number);
+  cycle(0.1);
+  EXPECT_EQ(state.window, WindowId::train_running_number);
+  display.buttons.remove(Button::train_running_number);
+  cycle(0.1);
+  EXPECT_EQ(state.window, WindowId::main);
+}
+
+// 015560 10.3.4.4.4: a field that is accepted anew is enough.
+TEST_F(TrainData, AreCheckedAcrossAgainOnceAFieldIsAccepted) {
+  EXPECT_TRUE(display.config.cross_checks.push_back(
+      {.categories = Set<TrainCategory>{TrainCategory::PASS1}, .V_most = Speed{120.0 / 3.6}}));
+  cycle(0.1);
+  enter_all();
+  ASSERT_TRUE(tap("Yes"));
+  EXPECT_FALSE(tap("Yes"));
+  ASSERT_TRUE(tap("field 1"));
+  EXPECT_EQ(item(Kind::echo, "Train category").text.view(), "PASS 1");
+  ASSERT_TRUE(tap("Yes"));
+  EXPECT_EQ(item(Kind::echo, "Train category").text.view(), "????");
+}
+
 TEST_F(TrainData, TypesOrData) {
   port::TrainType type;
   type.name = {'I', 'C', 'E'};
@@ -494,6 +554,20 @@ TEST_F(TrainData, TypesOrData) {
   const auto commands = take(state);
   EXPECT_EQ(commands.train_type, 0);
   EXPECT_EQ(commands.train_data->L_TRAIN, Distance{200.0});
+}
+
+// 015560 11.5.1.4, Tables 44 and 45: with the entry that can be switched, by the layout used last.
+TEST_F(TrainData, ViewedHaveTheTrainTypeThatWasEntered) {
+  const auto types = [&] {
+    for (const ViewItem& line : view_items(state))
+      if (line.label.view() == "Train type") return true;
+    return false;
+  };
+  display.config.train_data_entry = port::TrainDataEntry::switchable;
+  cycle(0.1);
+  EXPECT_FALSE(types());
+  ASSERT_TRUE(tap("F1") && tap("Train data") && tap("switch") && tap("close") && tap("close") && tap("F3"));
+  EXPECT_TRUE(types());
 }
 
 TEST_F(Windows, CodesOfCovers) {
@@ -909,6 +983,22 @@ TEST_F(Windows, RefusedShuntingStaysInMain) {
     if (accepted) display.mode = Mode::SH;
     cycle(1.0);
     EXPECT_EQ(state.window, accepted ? WindowId::default_ : WindowId::main);
+  }
+}
+
+// Table 33 #11: in PT no manoeuvre is initiated without valid train data, but one continued; also where it is not
+// enabled.
+TEST_F(Windows, InPostTripTheManoeuvreIsContinuedWithoutTrainData) {
+  display.mode = Mode::PT;
+  for (const bool enabled : {false, true}) {
+    display.buttons = enabled ? test::all_buttons() : Set<Button>{};
+    for (const DataStatus status : {DataStatus::unknown, DataStatus::invalid, DataStatus::valid}) {
+      display.data.stored.train_status = status;
+      cycle(0.1);
+      open(WindowId::main);
+      const char* const shown = status == DataStatus::valid ? "Initiate SM" : "Continue in SM";
+      EXPECT_EQ(item(Kind::button, shown).enabled, enabled) << shown;
+    }
   }
 }
 
