@@ -16,14 +16,18 @@
 #include "driver/status_texts.h"
 #include "screen/condition_names.h"
 
-// The 495 cases of tests/data/dmi_test_cases.json against their `expect`, as the head of that file explains it.
+// The 495 cases of tests/data/dmi_test_cases.json against their `expect`, as the head of that file explains it, and
+// those of windows and dialogues in dmi_window_cases.json.
 namespace evc::screen {
 namespace {
 
 using io::Json;
 
+Json read_cases(const std::string& name) {
+  return Json::parse(std::ifstream(test::source_folder() + "/tests/data/" + name));
+}
 const Json& file() {
-  static const Json cases = Json::parse(std::ifstream(test::source_folder() + "/tests/data/dmi_test_cases.json"));
+  static const Json cases = read_cases("dmi_test_cases.json");
   return cases;
 }
 
@@ -273,6 +277,18 @@ TEST(Cases, AreAllAsExpected) {
     ++compared;
   }
   EXPECT_EQ(compared + exempted().size(), 495U);
+}
+
+// Windows, fields, checks and dialogues of 015560 chapters 10 and 11.
+TEST(Cases, OfWindowsAreAllAsExpected) {
+  const Json cases = read_cases("dmi_window_cases.json")["cases"];
+  EXPECT_GT(cases.size(), 300U);
+  std::set<std::string> ids;
+  for (const Json& one : cases) {
+    const std::string id = one["id"];
+    EXPECT_TRUE(ids.insert(id).second) << id;
+    EXPECT_EQ(faults_of(one), "") << id << ": " << one["given"].dump();
+  }
 }
 
 // A case that is exempted does contradict the display; else it need not be.

@@ -130,6 +130,7 @@ struct Setting {
   Scene& scene;
   Display& display;
   driver::ButtonContext context;
+  std::optional<bool> gsmr_fitted, frmcs_fitted;
   bool mrsp_given = false;
   std::optional<double> override_limit_kmh;
   bool tti_requested = true;
@@ -261,27 +262,54 @@ void set_choices(Setting& s, const JsonPlace& p) {
     s.scene.labels[kTrainCategoryRows[static_cast<std::size_t>(i)].name] = "choice " + std::to_string(i + 1);
 }
 
-/// The limits of the field of the case; of the length where it names none.
-port::EntryRange& range_of_field(Setting& s) {
+/// The range of the field of the case, the length where it names none.
+port::EntryRange& range_of(Setting& s, const JsonPlace& p) {
   port::DisplayConfig& config = s.display.config;
-  return s.field == "Brake percentage"       ? config.brake_percentage
-         : s.field == "Maximum speed (km/h)" ? config.V_MAXTRAIN
-                                             : config.L_TRAIN;
-}
-
-void set_technical(Setting& s, const JsonPlace& p) {
-  range_of_field(s).least = p[0].number();
-  range_of_field(s).most = p[1].number();
+  const std::array<std::pair<std::string_view, port::EntryRange*>, 6> ranges{
+      {{"", &config.L_TRAIN},
+       {"Length (m)", &config.L_TRAIN},
+       {"Brake percentage", &config.brake_percentage},
+       {"Maximum speed (km/h)", &config.V_MAXTRAIN},
+       {"SR speed (km/h)", &config.V_sr},
+       {"SR distance (m)", &config.D_sr}}};
+  for (const auto& [label, range] : ranges)
+    if (label == s.field) return *range;
+  p.fail("a field with a range: length, brake percentage, maximum speed, SR speed or SR distance");
 }
 
 void set_operational(Setting& s, const JsonPlace& p) {
-  range_of_field(s).operational_least = p[0].number();
-  range_of_field(s).operational_most = p[1].number();
+  port::EntryRange& range = range_of(s, p);
+  range.operational_least = p[0].number();
+  range.operational_most = p[1].number();
+}
+void set_technical(Setting& s, const JsonPlace& p) {
+  port::EntryRange& range = range_of(s, p);
+  range.least = p[0].number();
+  range.most = p[1].number();
 }
 
+using Setter = std::function<void(Setting&, const JsonPlace&)>;
+
 /// A check that no train passes.
-void set_failing_check(Setting& s, const JsonPlace&) {
-  (void)s.display.config.cross_checks.push_back({Set<TrainCategory>::of_bits(~std::uint64_t{0}), kmh(1.0), false});
+void set_failing_check(Setting& s, bool operational) {
+  (void)s.display.config.cross_checks.push_back(
+      {Set<TrainCategory>::of_bits(~std::uint64_t{0}), kmh(1.0), operational});
+}
+
+void set_step(Setting& s, const JsonPlace& p) {
+  const Step& step = step_named(p);
+  s.scene.step = &step;
+  s.display.step = step.start;
+  s.display.start_of_mission = step.start.has_value();
+  s.display.data.asks_one_radio_system = step.asks_one_radio_system;
+}
+
+/// What the tables ask for, and what is lost without it: the national values permit it.
+Setter permitted(bool driver::ActionContext::*field, driver::Fact fact) {
+  return [field, fact](Setting& s, const JsonPlace& p) {
+    s.context.action.*field = p.boolean();
+    s.scene.denied.add(fact, !p.boolean());
+  };
 }
 
 /// Fields of the train data with a number, by their place in the window (015560 11.3.9).
@@ -310,8 +338,6 @@ void set_running_number(Setting& s, const JsonPlace& p) {
   s.display.data.stored.train_running_number = bcd;
   s.display.data.stored.train_running_number_status = DataStatus::invalid;
 }
-
-using Setter = std::function<void(Setting&, const JsonPlace&)>;
 
 Setter flag(bool Display::*field) {
   return [field](Setting& s, const JsonPlace& p) { s.display.*field = p.boolean(); };
@@ -428,7 +454,9 @@ const std::map<std::string, Setter, std::less<>>& track_setters() {
       {"value", set_running_number},
       {"operational_range", set_operational},
       {"technical_range", set_technical},
-      {"technical_cross_check_fails", set_failing_check},
+      {"technical_resolution", [](Setting& s, const JsonPlace& p) { range_of(s, p).step = p.number(1.0, 1e5); }},
+      {"technical_cross_check_fails", [](Setting& s, const JsonPlace&) { set_failing_check(s, false); }},
+      {"operational_cross_check_fails", [](Setting& s, const JsonPlace&) { set_failing_check(s, true); }},
       {"all_fields_valued",
        [](Setting& s, const JsonPlace& p) {
          if (!p.boolean()) s.display.data.stored.train_status = DataStatus::unknown;
@@ -445,16 +473,7 @@ const std::map<std::string, Setter, std::less<>>& track_setters() {
          s.display.data.D_sr_most = Distance{s.display.config.D_sr.most};
        }},
       {"start_up", [](Setting& s, const JsonPlace& p) { s.display.start_of_mission = p.boolean(); }},
-      {"step",
-       [](Setting& s, const JsonPlace& p) {
-         constexpr std::array<std::pair<const char*, std::optional<Dialogue>>, 4> steps{
-             {{"start-up S1", Dialogue::start_S1},
-              {"start-up S2", Dialogue::start_S2},
-              {"start-up S1-1", Dialogue::start_S1},
-              {"main S2", std::nullopt}}};
-         s.display.step = named(p, steps);
-         s.display.start_of_mission = s.display.step.has_value();
-       }},
+      {"step", set_step},
   };
   return all;
 }
@@ -469,8 +488,8 @@ const std::map<std::string, Setter, std::less<>>& button_setters() {
       {"session", action(&A::session_open)},
       {"train_data_acked", action(&A::train_data_acknowledged)},
       {"pending_emergency_stop", context(&C::emergency_stop_pending)},
-      {"nv_driver_id_running", action(&A::driver_id_while_running)},
-      {"nv_adhesion_by_driver", action(&A::driver_may_change_adhesion)},
+      {"nv_driver_id_running", permitted(&A::driver_id_while_running, driver::Fact::driver_id_while_running)},
+      {"nv_adhesion_by_driver", permitted(&A::driver_may_change_adhesion, driver::Fact::adhesion_by_driver)},
       {"non_leading_signal", action(&A::non_leading_signal)},
       {"passive_shunting_signal", action(&A::passive_shunting_signal)},
       {"position_valid_lrbg", context(&C::position_valid)},
@@ -478,6 +497,11 @@ const std::map<std::string, Setter, std::less<>>& button_setters() {
       {"safe_consist_length", context(&C::consist_known)},
       {"session_above_2_2", context(&C::session_above_2_2)},
       {"consist_acknowledged", context(&C::consist_acknowledged)},
+      {"second_session", context(&C::second_session)},
+      {"rbc_transition_order", context(&C::RBC_transition_ordered)},
+      {"one_radio_system", context(&C::one_radio_system)},
+      {"gsmr_fitted", [](Setting& s, const JsonPlace& p) { s.gsmr_fitted = p.boolean(); }},
+      {"frmcs_fitted", [](Setting& s, const JsonPlace& p) { s.frmcs_fitted = p.boolean(); }},
       {"consist_front_m",
        [](Setting& s, const JsonPlace& p) { s.context.consist_in_front = p.number(0.0, 1e5) > 0.0; }},
       {"v_override_limit", [](Setting& s, const JsonPlace& p) { s.override_limit_kmh = p.number(0.0, 600.0); }},
@@ -536,6 +560,8 @@ void finish_planning(Setting& s, const JsonPlace& given) {
 
 void finish_train(Setting& s) {
   Display& d = s.display;
+  d.config.gsmr_fitted = s.gsmr_fitted.value_or(d.config.gsmr_fitted);
+  d.config.frmcs_fitted = s.frmcs_fitted.value_or(d.config.frmcs_fitted);
   if (s.tti_requested) d.TTI = s.tti;
   d.reversing_permitted = s.in_reversing_area && d.standstill;
   // Accuracy, dwell time and doors are those of a stopping point (015560 8.5.1.2 c).
@@ -569,7 +595,7 @@ std::optional<Set<Button>> buttons_by_tables(Setting& s, const JsonPlace& given)
   const bool level_valid = s.display.level_valid || !given.find("level_valid");
   c.action.level = level_valid ? std::optional(s.display.level) : std::nullopt;
   c.action.slow_enough_for_override = s.override_limit_kmh && s.v_kmh <= *s.override_limit_kmh;
-  c.gsmr.fitted = true;
+  c.gsmr.fitted = s.display.config.gsmr_fitted;
   c.frmcs.fitted = s.display.config.frmcs_fitted;
   if (const auto capacity = given.find("vbc_capacity"))
     c.covers_full = given["vbc_count"].integer(0, 1000) >= capacity->integer(0, 1000);
@@ -599,9 +625,10 @@ void set_zoom(Scene& scene, const JsonPlace& range) {
   }
 }
 
-/// The window of the case, or that of the button which it looks for.
-std::optional<std::string> window_of(const JsonPlace& given, const JsonPlace& expect) {
+/// The window of the case, of its step, or of the button which it looks for.
+std::optional<std::string> window_of(const Scene& scene, const JsonPlace& given, const JsonPlace& expect) {
   if (const auto window = given.find("window")) return window->string();
+  if (scene.step != nullptr && scene.step->window != nullptr) return scene.step->window;
   const auto must = expect.find("must");
   if (!must) return std::nullopt;
   for (std::size_t i = 0; i < must->size(); ++i)
@@ -634,7 +661,7 @@ void fill_pages(Scene& scene, const JsonPlace& pages) {
 
 /// Opens the window of the case at its page, and scrolls the texts (015560 10.3.5.3, 10.5.1, 8.2.3.4.7 e).
 void open_wanted(Scene& scene, const JsonPlace& given, const JsonPlace& expect) {
-  auto window = window_of(given, expect);
+  auto window = window_of(scene, given, expect);
   if (const auto keyboard = window_of_keyboard(given)) window = std::string(*keyboard);
   if (given.find("data") || given.find("cursor")) window = "Driver ID";
   if (window && !open_window(scene, *window)) given.fail("a window that can be opened, found \"" + *window + "\"");

@@ -32,10 +32,35 @@ std::optional<std::string_view> behind(std::string_view text, std::string_view w
   return text.substr(with.size());
 }
 
-Area area_named(const JsonPlace& p) {
+/// The middle of what a case calls so: an area, or a place that reacts to touch ("close", "Yes", "Start"). Throws
+/// ReadError.
+dmi::Cell middle_named(const Scene& scene, std::string_view name, const JsonPlace& p) {
   for (const dmi::AreaRow& row : dmi::kAreaRows)
-    if (p.string() == row.name) return row.value;
-  p.fail("the name of an area");
+    if (name == row.name) return middle_of(row.at);
+  const auto screen = scene.player.screen();
+  for (const dmi::Touch& touch : screen->touch)
+    if (touch.name.view() == name) return middle_of(touch.abs);
+  p.fail("the name of an area or of a place that reacts to touch");
+}
+
+bool is_area(std::string_view name) {
+  return std::any_of(dmi::kAreaRows.begin(), dmi::kAreaRows.end(),
+                     [&](const dmi::AreaRow& row) { return name == row.name; });
+}
+
+/// Touches an area for `ms`, a place that has its own name as long as a button of its type needs to act.
+void touch_named(Scene& scene, std::string_view name, const JsonPlace& p, std::int64_t ms) {
+  Player& player = scene.player;
+  const dmi::Cell at = middle_named(scene, name, p);
+  const dmi::Targets targets = is_area(name) ? dmi::Targets{} : dmi::targets(player.state());
+  for (const dmi::Target& target : targets) {
+    if (!dmi::inside(target.abs, at.x, at.y)) continue;
+    (void)player.touch(target);
+    return;
+  }
+  (void)player.press(at);
+  player.run_to(player.now_ms() + ms);
+  player.release();
 }
 
 std::string characters_of(const Display& display, std::uint16_t id) {
@@ -146,6 +171,25 @@ port::SmDirection direction_named(std::string_view word, const JsonPlace& event)
   return word == "SM01" ? port::SmDirection::forward : port::SmDirection::backward;
 }
 
+/// The buttons that stay in a mode and, when the train moves, without standstill: by Tables 33 to 37 some row of this
+/// mode and level enables them.
+Set<Button> remaining_buttons(Scene& scene) {
+  const Display& display = scene.player.display();
+  if (scene.tables) {
+    scene.tables->action.standstill = display.standstill;
+    scene.tables->action.mode = display.mode;
+    return driver::buttons(*scene.tables);
+  }
+  Set<driver::Fact> denied = scene.denied;
+  denied.add(driver::Fact::standstill, !display.standstill);
+  Set<Button> stay;
+  for (const driver::ButtonRow& row : driver::dmi_11_2)
+    if (row.modes.has(display.mode) && (row.needs & denied).empty() &&
+        (row.levels.empty() || row.levels.has(display.level)))
+      stay.add(row.button);
+  return display.buttons & stay;
+}
+
 /// A change from one state to another: "TSM IndS -> OvS", "direction SM01 -> SM02".
 void change(Scene& scene, const JsonPlace& place) {
   constexpr std::string_view arrow = " -> ";
@@ -165,25 +209,11 @@ void change(Scene& scene, const JsonPlace& place) {
     take_words(display, before, place);
     scene.player.show();
     scene.player.forget_sounds();
+    const Mode mode = display.mode;
     take_words(display, after, place);
+    if (display.mode != mode) display.buttons = remaining_buttons(scene);
   }
   scene.player.run_to(scene.player.now_ms() + kBegin);
-}
-
-/// The buttons that stay when the train moves: by Tables 33 to 37 some row of this mode and level enables them without
-/// standstill.
-Set<Button> buttons_while_moving(Scene& scene) {
-  const Display& display = scene.player.display();
-  if (scene.tables) {
-    scene.tables->action.standstill = false;
-    return driver::buttons(*scene.tables);
-  }
-  Set<Button> stay;
-  for (const driver::ButtonRow& row : driver::dmi_11_2)
-    if (row.modes.has(display.mode) && !row.needs.has(driver::Fact::standstill) &&
-        (row.levels.empty() || row.levels.has(display.level)))
-      stay.add(row.button);
-  return display.buttons & stay;
 }
 
 /// Events that are no change of what is supervised; false: not one of them.
@@ -234,7 +264,7 @@ bool happen(Scene& scene, std::string_view event) {
   if (event == "train moves (not standstill)")
     return then([&] {
       display.standstill = false;
-      display.buttons = buttons_while_moving(scene);
+      display.buttons = remaining_buttons(scene);
     });
   return false;
 }
@@ -323,9 +353,8 @@ int acts_of(const Scene& scene, const Action& action) {
   const dmi::State& state = scene.player.state();
   if (action.kind == ActionKind::open) return state.window == static_cast<dmi::WindowId>(action.argument) ? 1 : 0;
   if (action.kind == ActionKind::key) {
-    const dmi::Field& field = state.entry.fields[state.entry.selected];
-    if (action.argument == kDelete) return 16 - field.value.typed.length;
-    return field.typed ? field.value.typed.length : 0;
+    const int typed = state.entry.fields[state.entry.selected].value.typed.length;
+    return action.argument == kDelete ? 16 - typed : typed;
   }
   int acts = 0;
   for (const dmi::Commands& sent : scene.player.sent())
@@ -340,9 +369,11 @@ Action watched_action(Scene& scene, const JsonPlace& button) {
     (void)open_window(scene, "Main");
     return {ActionKind::button, static_cast<std::uint8_t>(Button::non_leading)};
   }
-  if (type == "down") {
+  if (type == "down") {  // a key of an empty field
+    scene.player.display().data.stored.train_running_number_status = DataStatus::unknown;
+    scene.player.show();
     (void)open_window(scene, "Train running number");
-    return {ActionKind::key, 1};
+    return {ActionKind::key, 5};
   }
   if (type != "down, repeat") button.fail("up, delay, down, or down, repeat");
   // The key Del of a full field.
@@ -415,10 +446,8 @@ void play_in_window(Scene& scene, const JsonPlace& event) {
     (void)touch_field(scene, static_cast<std::size_t>(number_behind(*selected, event) - 1));
   } else if (const auto touched = behind(text, "touch field ")) {
     (void)touch_field(scene, static_cast<std::size_t>(number_behind(*touched, event) - 1));
-  } else if (const auto area = behind(text, "touch ")) {
-    const io::Json name = std::string(*area);
-    (void)scene.player.press(middle_of(dmi::rect_of(area_named(JsonPlace(name, event.file())))));
-    scene.player.release();
+  } else if (const auto touched_place = behind(text, "touch ")) {
+    touch_named(scene, *touched_place, event, 0);
     scene.toggled.push_back(scene.player.state().toggles.speed);
   } else {
     event.fail("an event that docs/dmi.md lists");
@@ -429,7 +458,7 @@ void play_entry(Scene& scene, const JsonPlace& given) {
   if (const auto entered = given.find("enter")) {
     const auto place = field_labelled(scene, given["field"].string());
     if (!place) given["field"].fail("the label of a field of the window");
-    (void)touch_field(scene, *place);
+    if (scene.player.state().entry.selected != *place) (void)touch_field(scene, *place);
     type(scene, entered->string());
     (void)touch_field(scene, *place);
   }
@@ -453,15 +482,13 @@ void play_entry(Scene& scene, const JsonPlace& given) {
 
 void play_press(Scene& scene, const JsonPlace& press) {
   if (press.string() == "Yes") {
-    for (std::size_t i = 0; i < 2 * dmi::kFieldsPerPage; ++i)
+    // Each field is accepted, and the first one is selected again.
+    for (std::size_t i = scene.player.state().entry.fields.size(); i > 0; --i)
       (void)touch_field(scene, scene.player.state().entry.selected);
     (void)scene.player.touch(Action{ActionKind::complete});
     return;
   }
-  const dmi::Cell at = middle_of(dmi::rect_of(area_named(press)));
-  (void)scene.player.press(at);
-  scene.player.run_to(scene.player.now_ms() + kBegin);
-  scene.player.release();
+  touch_named(scene, press.string(), press, kBegin);
   scene.player.show();
 }
 
@@ -508,7 +535,7 @@ void press_or_acknowledge(Scene& scene, const JsonPlace& event, std::int64_t at)
     player.run_to(at);
     player.release();
   }
-  if (const auto press = event.find("press")) (void)player.press(middle_of(dmi::rect_of(area_named(*press))));
+  if (const auto press = event.find("press")) (void)player.press(middle_named(scene, press->string(), *press));
   if (event.find("slide_out")) player.slide({1, 1});
   if (event.find("release")) player.release();
 }
@@ -678,14 +705,18 @@ void play(Scene& scene, const JsonPlace& given, const JsonPlace& expect) {
       add_request(scene, (*list)[i]);
     }
   if (given.find("ack_shown")) scene.player.run_to(scene.player.now_ms() + kBegin);
-  if (const auto waiting = given.find("waiting"); waiting && waiting->boolean()) {
-    // The hour glass is in the title of one of two windows (015560 11.2.1.6, 11.2.5.6).
-    scene.player.display().waiting = scene.player.state().window == dmi::WindowId::radio_data
-                                         ? port::Waiting::network_list
-                                         : port::Waiting::answer_to_ma_request;
+  const auto waiting = given.find("waiting");
+  port::Waiting waits = port::Waiting::nothing;
+  if (waiting &&
+      waiting->boolean())  // the hour glass is in the title of one of two windows (015560 11.2.1.6, 11.2.5.6)
+    waits = scene.player.state().window == dmi::WindowId::radio_data ? port::Waiting::network_list
+                                                                     : port::Waiting::answer_to_ma_request;
+  if (scene.step != nullptr && scene.step->waiting != port::Waiting::nothing) waits = scene.step->waiting;
+  if (waits != port::Waiting::nothing) {
+    scene.player.display().waiting = waits;
     const std::int64_t begin = scene.player.now_ms();
     scene.player.show();
-    scene.player.run_to(begin + ms_of(given["t_s"]));
+    if (const auto passed = given.find("t_s")) scene.player.run_to(begin + ms_of(*passed));
   }
   if (const auto layout = given.find("layout");
       layout && layout->one_of({"flexible", "fixed"}) == 1 && !scene.player.state().fixed_train_entry)

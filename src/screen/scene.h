@@ -10,9 +10,19 @@
 #include "driver/status_texts.h"
 #include "io/json.h"
 #include "screen/player.h"
+#include "terms/dialogue.h"
 
 // The described cases of a display (`evc dmi --cases`): their state, and what happens.
 namespace evc::screen {
+
+/// A step of the dialogues of 015560 11.7.
+struct Step {
+  const char* name;               ///< "start-up S3-1", with the numbers of Tables 49 to 54a
+  std::optional<Dialogue> start;  ///< where the start of mission is; none: there is none
+  port::Waiting waiting;          ///< for what the on-board waits
+  const char* window;             ///< null: that which the on-board opens
+  bool asks_one_radio_system = false;
+};
 
 /// The place of a display in a case. What the case does not name is neutral: SRS 4.0.0, dial to 400 km/h, mode SB, no
 /// target, no text, not at standstill, every button of the menus enabled, all data stored and valid.
@@ -25,6 +35,8 @@ struct Scene {
   std::uint16_t next_text = 1;
   std::map<std::string, std::string> labels;    ///< of choices, as the case calls them
   std::optional<driver::ButtonContext> tables;  ///< the facts by which Tables 33 to 37 enable the buttons of the case
+  Set<driver::Fact> denied;                     ///< facts of these tables that do not hold, where nothing else is said
+  const Step* step = nullptr;                   ///< of the dialogues
   std::vector<bool> toggled;                    ///< of the speed toggle, after each touch
 
   // How a button behaved (015560 5.3.2.6).
@@ -48,6 +60,8 @@ void play(Scene& scene, const io::JsonPlace& given, const io::JsonPlace& expect)
 void play_status_texts(Scene& scene, const io::JsonPlace& given);
 
 // Shared by the three.
+/// The step with this name. Throws ReadError.
+const Step& step_named(const io::JsonPlace& place);
 /// Opens a window by touching buttons; false: it cannot be reached.
 bool open_window(Scene& scene, std::string_view title);
 /// The events of a case with times, up to `ms`. `next`: the first that is not played yet.
