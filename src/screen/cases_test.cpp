@@ -756,6 +756,9 @@ TEST(Cases, RefuseWordsThatSayNothing) {
                                                        {{"sequence", {"TC99 starts"}}},
                                                        {{"sequence", {"TC03 begins"}}},
                                                        {{"events", {{{"t", 0}, {"request", "level 1"}}}}},
+                                                       {{"step", "start-up S99"}},
+                                                       {{"field", "RBC ID"}, {"technical_range", {0, 9}}},
+                                                       {{"press", "Kitchen"}},
                                                        {{"window", "Kitchen"}}})
     EXPECT_THROW((void)answer_to(given, given.contains("events") && given["events"][0].is_object()
                                             ? Json{{"timeline", {{{"t", 1}}}}}
