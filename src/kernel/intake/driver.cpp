@@ -10,6 +10,12 @@
 namespace evc::kernel {
 namespace {
 
+/// About a selection, entry or acknowledgement of the driver.
+template <class Act>
+Event event_of(What what, Act act, Clause clause) {
+  return {.what = what, .id = static_cast<std::int32_t>(act), .clause = clause};
+}
+
 /// The level that is entered in this cycle.
 modes::OrderedLevel entered_level(const Reception& r) {
   modes::OrderedLevel level;
@@ -76,13 +82,10 @@ Set<Select> enabled_selections(Reception& r) {
   }};
   Set<Select> selected = Set<Select>::of_bits(r.in.driver.selected);
   for (const Row& row : rows)
-    if (selected.has(row.select) &&
-        !may(r, row.input,
-             {.what = What::selection_not_enabled, .id = static_cast<std::int32_t>(row.select), .clause = "4.7.2"_srs}))
+    if (selected.has(row.select) && !may(r, row.input, event_of(What::selection_not_enabled, row.select, "4.7.2"_srs)))
       selected.remove(row.select);
   if (selected.has(Select::toggle) && !(r.in.train.desk_open && driver::can_be_toggled(r.state.mode))) {
-    r.log.note(
-        {.what = What::selection_not_enabled, .id = static_cast<std::int32_t>(Select::toggle), .clause = "4.7.2"_srs});
+    r.log.note(event_of(What::selection_not_enabled, Select::toggle, "4.7.2"_srs));
     selected.remove(Select::toggle);
   }
   return selected;
@@ -97,8 +100,7 @@ Set<Ack> acknowledgements(Reception& r) {
   for (const terms::Row<Ack>& row : kAckRows) {
     const Ack ack = row.value;
     if (!given.has(ack) || (r.in.train.desk_open && r.state.requested.has(ack))) continue;
-    r.log.note(
-        {.what = What::acknowledgement_not_enabled, .id = static_cast<std::int32_t>(ack), .clause = "4.7.2"_srs});
+    r.log.note(event_of(What::acknowledgement_not_enabled, ack, "4.7.2"_srs));
     given.remove(ack);
   }
   given.add(Ack::train_data, train_data);
@@ -113,7 +115,7 @@ bool enter_train_data(Reception& r, const train::TrainData& data, bool typed) {
   const train::TrainData& before = changed ? *changed : r.state.train;
   const train::Fault fault = typed ? off_resolution(data, before) : train::Fault::none;
   if (fault != train::Fault::none) {
-    r.log.note({.what = What::train_data_refused, .id = static_cast<std::int32_t>(fault), .clause = "A.3.11"_srs});
+    r.log.note(event_of(What::train_data_refused, fault, "A.3.11"_srs));
     return false;
   }
   change_train_data(r.state, data, r.out.here, r.log);
@@ -168,13 +170,9 @@ void choose_contact(Reception& r) {
   const auto& entered = r.in.driver.rbc_contact;
   const bool last = r.out.selected.has(Select::last_rbc);
   if (last && !s.radio.contact && !entered)
-    return r.log.note({.what = What::selection_not_enabled,
-                       .id = static_cast<std::int32_t>(Select::last_rbc),
-                       .clause = "3.18.4.3.1"_srs});
+    return r.log.note(event_of(What::selection_not_enabled, Select::last_rbc, "3.18.4.3.1"_srs));
   if (entered && !is_rbc(*entered))
-    return r.log.note({.what = What::entry_out_of_range,
-                       .id = static_cast<std::int32_t>(Entered::rbc_contact),
-                       .clause = "3.18.4.3.5"_srs});
+    return r.log.note(event_of(What::entry_out_of_range, Entered::rbc_contact, "3.18.4.3.5"_srs));
   if (entered && may_enter(r, driver::Input::rbc_contact, Entered::rbc_contact))
     s.radio.contact = radio::Rbc{entered->NID_C, entered->NID_RBC, entered->NID_RADIO};
   else if (!last)
@@ -191,10 +189,7 @@ void enter_network(Reception& r) {
   if (!entered || !may_enter(r, driver::Input::radio_network_id, Entered::network)) return;
   bool offered = false;
   for (const std::uint32_t NID_MN : s.network.offered) offered = offered || NID_MN == *entered;
-  if (!offered)
-    return r.log.note({.what = What::entry_not_enabled,
-                       .id = static_cast<std::int32_t>(Entered::network),
-                       .clause = "3.18.4.3.6"_srs});
+  if (!offered) return r.log.note(event_of(What::entry_not_enabled, Entered::network, "3.18.4.3.6"_srs));
   r.out.entered.add(Entered::network);
   if (s.network.NID_MN == *entered) return;
   s.network.NID_MN = *entered;
@@ -230,9 +225,7 @@ void enter_driver_id(Reception& r) {
   State& s = r.state;
   const auto& entered = r.in.driver.driver_id;
   if (!entered || !may_enter(r, driver::Input::driver_id, Entered::driver_id)) return;
-  if (!entered->valid())
-    return r.log.note(
-        {.what = What::entry_not_enabled, .id = static_cast<std::int32_t>(Entered::driver_id), .clause = "A.3.11"_srs});
+  if (!entered->valid()) return r.log.note(event_of(What::entry_not_enabled, Entered::driver_id, "A.3.11"_srs));
   s.data.driver_id = *entered;
   s.data.driver_id_status = DataStatus::valid;
   r.out.entered.add(Entered::driver_id);
@@ -241,16 +234,14 @@ void enter_driver_id(Reception& r) {
 }  // namespace
 
 bool may_enter(Reception& r, driver::Input input, Entered entered) {
-  return may(r, input,
-             {.what = What::entry_not_enabled, .id = static_cast<std::int32_t>(entered), .clause = "4.7.2"_srs});
+  return may(r, input, event_of(What::entry_not_enabled, entered, "4.7.2"_srs));
 }
 
 std::optional<modes::OrderedLevel> driver_level(Reception& r) {
   if (!r.in.driver.level || !may_enter(r, driver::Input::level, Entered::level)) return {};
   const modes::OrderedLevel level = entered_level(r);
   if (!may_select(r, level)) {
-    r.log.note(
-        {.what = What::entry_not_enabled, .id = static_cast<std::int32_t>(Entered::level), .clause = "5.10.1.7"_srs});
+    r.log.note(event_of(What::entry_not_enabled, Entered::level, "5.10.1.7"_srs));
     return {};
   }
   r.out.entered.add(Entered::level);
