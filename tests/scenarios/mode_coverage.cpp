@@ -139,14 +139,13 @@ void add_conditions(std::string& page, const MissingList& absent) {
 namespace {
 
 /// What a term reads from the inputs was refused: the driver's selection or acknowledgement was not enabled (4.7.2), or
-/// the RBC's message was refused (4.8). The event of an acknowledgement does not say which one it was: one that the
-/// unit does not count.
-bool is_refused(const Term& term, const Moment& moment, const port::Event& event) {
+/// the RBC's message was refused (4.8).
+bool is_refused(const Term& term, const port::Event& event) {
   switch (event.what) {
     case What::selection_not_enabled:
       return term.selection && event.id == static_cast<std::int32_t>(*term.selection);
     case What::acknowledgement_not_enabled:
-      return term.acknowledgement && !moment.facts.acknowledged.has(*term.acknowledgement);
+      return term.acknowledgement && event.id == static_cast<std::int32_t>(*term.acknowledgement);
     case What::message_refused:
       return term.NID_MESSAGE && event.id == *term.NID_MESSAGE;
     default:
@@ -154,10 +153,10 @@ bool is_refused(const Term& term, const Moment& moment, const port::Event& event
   }
 }
 
-bool is_refused(const ConditionRow& row, const Moment& moment, const kernel::Outputs& out) {
+bool is_refused(const ConditionRow& row, const kernel::Outputs& out) {
   return std::any_of(row.terms.begin(), row.terms.end(), [&](const Term& term) {
     return std::any_of(out.events.begin(), out.events.end(),
-                       [&](const port::Event& event) { return is_refused(term, moment, event); });
+                       [&](const port::Event& event) { return is_refused(term, event); });
   });
 }
 
@@ -179,7 +178,7 @@ void ModeWatch::compare(int number, Mode from, int by, const Moment& moment, con
     missing = i;
   }
   if (by_it && n != 0) wrong_.insert(mode + " is left by " + bracket(number) + " without " + row->terms[missing].text);
-  if (by == 0 && n == 0 && !is_refused(*row, moment, out))
+  if (by == 0 && n == 0 && !is_refused(*row, out))
     wrong_.insert(mode + " stays although " + bracket(number) + " holds");
   if (n == 1 && !by_it) only_missing_[static_cast<std::size_t>(number)].set(missing);
 }

@@ -99,7 +99,7 @@ void withdraw_requests(const State& s, Set<Ack> asked, procedures::Facts& f) {
   keep(Ack::OS, Mode::OS, f.profile_demands_OS);
   keep(Ack::LS, Mode::LS, f.profile_demands_LS);
   keep(Ack::SH, Mode::SH, f.profile_demands_SH);
-  if (!asked.has(Ack::RV)) f.requested.remove(Ack::RV);
+  if (f.standstill && !asked.has(Ack::RV)) f.requested.remove(Ack::RV);  // [59] itself asks for standstill
   if (s.mode == Mode::SB && !asked.has(Ack::SR)) f.requested.remove(Ack::SR);
 }
 
