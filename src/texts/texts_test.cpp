@@ -57,6 +57,7 @@ TEST(Texts, TheLineOfEveryEventIsWhole) {
     const Takes takes = text_of(what).takes;
     const std::size_t ids = takes == Takes::select    ? static_cast<std::size_t>(port::Select::count)
                             : takes == Takes::entered ? static_cast<std::size_t>(port::Entered::count)
+                            : takes == Takes::ack     ? static_cast<std::size_t>(Ack::count)
                             : takes == Takes::fault   ? static_cast<std::size_t>(train::Fault::count)
                             : takes == Takes::gap     ? static_cast<std::size_t>(EditionGap::count)
                                                       : 0;
