@@ -93,9 +93,9 @@ enum class What : std::uint8_t {
   override_ended,
 
   // The driver.
-  selection_not_enabled,  ///< `id` is a Select
-  entry_not_enabled,      ///< `id` is an Entered
-  entry_out_of_range,     ///< the same
+  selection_not_enabled,        ///< `id` is a Select
+  entry_not_enabled,            ///< `id` is an Entered
+  entry_out_of_range,           ///< the same
   acknowledgement_not_enabled,  ///< `id` is an Ack
   train_data_valid,
   train_data_refused,  ///< `id` is a train::Fault
