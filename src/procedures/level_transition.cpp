@@ -16,16 +16,24 @@ bool waits(Mode mode, const OrderedLevel& to, SrsVersion srs) {
   return stays && !modes::possible_in(mode, to.level);
 }
 
-/// The pending transition ends, and an acknowledgement given ahead of it: it counts for no other (5.10.4.1.3).
+/// The pending transition ends, and an acknowledgement given ahead of it, or in answer to what is shown for it: it
+/// counts for no other (5.10.4.1.3).
 void drop_pending(State& state) {
   state.pending.reset();
   state.acknowledged = state.asked_ahead = false;
+  if (!state.unacknowledged) state.shown = false;
+}
+
+/// The level that was entered is acknowledged no more: what was shown for it is for no other.
+void end_request(State& state) {
+  if (state.unacknowledged) state.shown = false;
+  state.unacknowledged = false;
 }
 
 /// The transition is executed in this cycle.
 void execute(State& state, const Inputs& in, const OrderedLevel& to, Result& out) {
   out.switch_to = to;
-  if (state.unacknowledged) state.shown = false;  // for the level that is left
+  end_request(state);
   const bool needed = !out.after_no_power && modes::acknowledgement_needed(in.current, to, in.mode, in.srs);
   // 5.10.4.3: within T_ACK after the transition, unless the driver acknowledged before.
   state.unacknowledged = needed && !state.acknowledged;
@@ -57,12 +65,11 @@ void take(State& state, const Inputs& in, const Order& order, const modes::Order
   // An acknowledgement for the same level stays valid when the order is repeated (5.10.4.1.3, 5.10.4.1.4).
   const bool same = state.pending.has_value() && state.pending->to.same_level(decision.to);
   if (decision.cancels_pending && state.pending.has_value()) {
-    state.pending.reset();
     out.cancelled = !same;
-    if (!same) {
-      state.acknowledged = state.asked_ahead = false;
-      if (!state.unacknowledged) state.shown = false;  // for the level that was announced
-    }
+    if (same)
+      state.pending.reset();
+    else
+      drop_pending(state);
   }
   if (decision.effect == OrderEffect::announce) {
     state.pending = modes::PendingTransition{decision.to, order.border, order.anchor};
@@ -129,8 +136,7 @@ Result step(State& state, const Inputs& in) {
   if (!out.switch_to.has_value() && in.driver_level.has_value() && !in.driver_level->same_level(in.current)) {
     out.switch_to = in.driver_level;
     out.by_driver = true;
-    if (state.unacknowledged) state.shown = false;
-    state.unacknowledged = false;  // the level to be acknowledged is left
+    end_request(state);
     if (in.srs == SrsVersion::v4_0_0) {
       out.cancelled = state.pending.has_value();
       drop_pending(state);
@@ -185,7 +191,7 @@ void on_mode_change(State& state, Mode from, Mode to, SrsVersion srs) {
     case Mode::RV:
     case Mode::SF:
     case Mode::IS:
-      state.unacknowledged = false;
+      end_request(state);
       break;
     default:
       break;

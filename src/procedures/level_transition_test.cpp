@@ -130,6 +130,28 @@ TEST(LevelTransition, An_acknowledgement_of_a_level_that_is_left_is_none_of_the_
   EXPECT_EQ(b.cycle(10.0).effects.requests, Set<Ack>{Ack::level});
 }
 
+TEST(LevelTransition, What_was_shown_before_the_train_turned_or_its_mode_changed_is_not_answered) {  // 5.10.4.1
+  for (const bool turns : {true, false}) {
+    Border ahead(level(Level::L2), Mode::FS);
+    ahead.give(OrderKind::announcement, level(Level::L0), 1000.0);
+    ASSERT_EQ(ahead.cycle(800.0).effects.requests, Set<Ack>{Ack::level});
+    if (turns)
+      level_transition::turn(ahead.state);
+    else
+      level_transition::forget_order(ahead.state);
+    ahead.in.acknowledged = true;
+    ahead.give(OrderKind::announcement, level(Level::NTC, 1), 1000.0);
+    EXPECT_EQ(ahead.cycle(810.0).effects.requests, Set<Ack>{Ack::level});
+  }
+  Border entered(level(Level::L2), Mode::FS);
+  entered.give(OrderKind::immediate, level(Level::L0));
+  ASSERT_EQ(entered.cycle(0.0).effects.requests, Set<Ack>{Ack::level});
+  level_transition::on_mode_change(entered.state, Mode::FS, Mode::TR, SrsVersion::v3_6_0);
+  entered.in.acknowledged = true;
+  entered.give(OrderKind::announcement, level(Level::NTC, 1), 100.0);
+  EXPECT_EQ(entered.cycle(0.0).effects.requests, Set<Ack>{Ack::level});
+}
+
 TEST(LevelTransition, An_order_that_waited_is_older_than_one_that_is_received) {  // 5.10.1.6, 4.4.8.1.5
   Border b(level(Level::L1), Mode::SH);
   b.give(OrderKind::immediate, level(Level::L0));
