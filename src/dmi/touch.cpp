@@ -17,6 +17,9 @@ constexpr Duration kGlimpse{0.1};
 
 void act(State& state, Action action, Duration now);
 
+/// When the button that is held acts for the `n`th time by itself, since it was pressed.
+Duration time_of_repeat(std::uint16_t n) { return kFirstRepeat + double(n - 1) * kRepeat; }
+
 void select_entry_kind(State& state) {
   state.fixed_train_entry = !state.fixed_train_entry;
   open_window(state, WindowId::train_data);
@@ -163,9 +166,9 @@ void tick(State& state, Duration now) {
   if (!pressed.held || !pressed.inside || pressed.target.type != ButtonType::down_repeat) return;
   // A host that was away for long does not get all repeats at once.
   for (int n = 0; n < 64; ++n) {
-    const Duration due = pressed.since + kFirstRepeat + double(pressed.repeats) * kRepeat;
-    if (now < due) return;
-    ++pressed.repeats;
+    const auto next = static_cast<std::uint16_t>(pressed.repeats + 1);
+    if (now < pressed.since + time_of_repeat(next)) return;
+    pressed.repeats = next;
     const Targets all = targets(state);
     if (still(all, pressed.target) == nullptr) continue;
     order_sound(state, Sound::click);
@@ -178,7 +181,7 @@ bool looks_pressed(const State& state, Action action, Duration now) {
   if (!pressed.held || !pressed.inside || !(pressed.target.action == action)) return false;
   const Duration held = now - pressed.since;
   if (down_type(pressed.target.type)) {
-    const Duration acted = pressed.repeats == 0 ? Duration{} : kFirstRepeat + double(pressed.repeats - 1) * kRepeat;
+    const Duration acted = pressed.repeats == 0 ? Duration{} : time_of_repeat(pressed.repeats);
     return held - acted < kGlimpse;
   }
   if (pressed.target.type != ButtonType::delay || held >= kDelay) return true;
