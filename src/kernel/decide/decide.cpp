@@ -87,13 +87,14 @@ void observe_authority(const State& s, const track::Here& here, procedures::Fact
 /// and PT the driver is asked for that at the train alone (5.4.3.2 S25, 5.11.2.2 S170).
 void withdraw_requests(const State& s, Set<Ack> asked, procedures::Facts& f) {
   const bool at_train_alone = s.mode == Mode::SB || s.mode == Mode::PT;
+  const bool mode_changed = s.mode != s.previous_mode;
   const auto ahead = [&](Mode mode) {
     for (const track::ModeArea& area : s.track.mode_profile)
-      if (area.mode == mode) return s.mode != s.previous_mode;
+      if (area.mode == mode) return true;
     return false;
   };
   const auto keep = [&](Ack ack, Mode mode, bool at_train) {
-    const bool displayed = !at_train_alone && (asked.has(ack) || ahead(mode));
+    const bool displayed = !at_train_alone && (asked.has(ack) || (mode_changed && ahead(mode)));
     if (!at_train && !displayed) f.requested.remove(ack);
   };
   keep(Ack::OS, Mode::OS, f.profile_demands_OS);
