@@ -179,9 +179,15 @@ struct Placed {
   Distance correction{};   // added to all places, so that the current LRBG keeps its place
 };
 
-/// The train has run back behind the group, whose place is exact as that of the LRBG: it will pass it again.
-bool lies_ahead(const CurrentLrbg& lrbg, const PlaceInterval& antenna) {
-  return lrbg.place - antenna.est > kDetectionZone;
+/// The train has run back behind the group, whose place is exact, as that of the LRBG or by its distance from it: it
+/// will pass it again.
+bool lies_ahead(Place group, const PlaceInterval& antenna) { return group - antenna.est > kDetectionZone; }
+
+/// Of the entries up to the LRBG, the last one, those that are behind the train.
+std::size_t behind(const Placed& placed, const PlaceInterval& antenna) {
+  std::size_t n = placed.links.size();
+  while (n > 0 && lies_ahead(placed.links[n - 1].place + placed.correction, antenna)) --n;
+  return n;
 }
 
 Placed place_links(const LinkingState& linking, const LinkingList& list, const LinkingReference& reference,
@@ -203,8 +209,10 @@ Placed place_links(const LinkingState& linking, const LinkingList& list, const L
     const bool is_current = current && passed_at(link, reference, current->id, current->place);
     const bool is_found = linking.found && passed_at(link, reference, linking.found->id, linking.found->place);
     // 3.6.4.3: the list holds the reference and the LRBG, so their distance by linking is used.
-    if (is_current) placed.correction = current->place - link.place;
-    if (is_current ? !lies_ahead(*current, antenna) : is_found) placed.passed = placed.links.size();
+    if (is_found) placed.passed = placed.links.size();
+    if (!is_current) continue;
+    placed.correction = current->place - link.place;
+    placed.passed = behind(placed, antenna);
   }
   for (Link& link : placed.links) link.place = link.place + placed.correction;
   return placed;

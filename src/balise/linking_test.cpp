@@ -117,6 +117,22 @@ TEST(Linking, TheLrbgIsExpectedAgainWhereTheTrainHasRunBackBehindIt) {  // 3.4.4
   EXPECT_EQ(expects(60), 1);
 }
 
+TEST(Linking, BehindTheLrbgTheGroupsBeforeItAreExpectedOnlyWhereTheyLieAheadToo) {
+  LinkingList list;
+  for (std::uint16_t i = 1; i <= 3; ++i) static_cast<void>(list.entries.push_back(entry(8, i)));
+  const auto expects = [&](double antenna) {
+    LinkingState linking;
+    linking.found = LinkingState::Found{{426, 2}, Place{16_m}};
+    store(linking, list, {{426, 9}, Place{}, 426, true, false}, at(antenna - 5, antenna, antenna + 5),
+          CurrentLrbg{{426, 2}, Place{16_m}});
+    return expected(linking)->id.NID_BG;
+  };
+  EXPECT_EQ(expects(16), 3);
+  EXPECT_EQ(expects(12), 2) << "the window of group 1 is open still, and the train is beyond that group";
+  EXPECT_EQ(expects(7), 2);
+  EXPECT_EQ(expects(6), 1);
+}
+
 TEST(Linking, AListOverTheCurrentLrbgPlacesItsReferenceByLinking) {
   LinkingState linking;
   LinkingList list;
