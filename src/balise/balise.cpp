@@ -62,15 +62,27 @@ bool complete(const OpenGroup& open) {
 }
 
 /// The train turned over the last balise of a group and turned again: with the balise read again it goes on from
-/// there as after the first time, and no other balise of the group is missed (3.16.2.2.2). `counter`: where it is now.
+/// there as after the first time, and no other balise of the group is missed (3.16.2.2.2). A telegram that is
+/// inconsistent or fits another message than the first time is judged. `counter`: where the train is now.
 bool read_again(const State& state, const OdometerReading& counter) {
   const OpenGroup& open = *state.open;
   if (!state.last || !open.identified || open.undecoded || open.telegrams.size() != 1) return false;
   const LastBalise& last = *state.last;
   const Telegram& telegram = open.telegrams.front();
   const bool same = last.id == open.id && last.N_PIG == telegram.N_PIG && open.seen == (1u << telegram.N_PIG) &&
+                    last.M_MCOUNT == telegram.M_MCOUNT && !telegram.faulty && !open.header_mismatch &&
                     between(last.counter, telegram.counter) < kSameBalise;
   return same && (counter.nominal > last.counter.nominal) == last.counter_rose;
+}
+
+/// Linking that came while the train stood behind the balise read again may announce its group, which is found then.
+void find_again(State& state, const Situation& situation, Outcome& outcome) {
+  const OpenGroup& open = *state.open;
+  const Link* next = expected(state.linking);
+  if (next == nullptr || !(next->id == open.id) || !announced_since(state.linking, open)) return;
+  const PlaceInterval& antenna = open.telegrams.front().antenna;
+  const bool inside = antenna.max >= first_possible(state.linking, *next) && antenna.min <= last_possible(*next);
+  if (inside) judge(state.linking, open.id, open.Q_LINK, antenna, situation.linking_checked, outcome);
 }
 
 /// Finishes the open group when the counter is at `counter`. A group of which only telegrams of too new a version were
@@ -78,11 +90,14 @@ bool read_again(const State& state, const OdometerReading& counter) {
 void close(State& state, const OdometerReading& counter, const Situation& situation, Outcome& outcome) {
   const OpenGroup& open = *state.open;
   const bool empty = open.identified && open.telegrams.empty() && !open.undecoded;
-  if (!empty && !read_again(state, counter)) judge_message(state.linking, *state.open, situation, outcome);
+  if (!empty && read_again(state, counter))
+    find_again(state, situation, outcome);
+  else if (!empty)
+    judge_message(state.linking, *state.open, situation, outcome);
   if (open.identified && open.telegrams.size() > 1 && complete(open)) {
     const Telegram& last = open.telegrams.back();
-    state.last =
-        LastBalise{open.id, last.N_PIG, last.counter, last.counter.nominal > open.telegrams.front().counter.nominal};
+    state.last = LastBalise{open.id, last.N_PIG, last.M_MCOUNT, last.counter,
+                            last.counter.nominal > open.telegrams.front().counter.nominal};
   }
   state.open.reset();
 }

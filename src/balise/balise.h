@@ -77,6 +77,7 @@ struct OpenGroup {
 struct LastBalise {
   GroupId id;
   std::uint8_t N_PIG = 0;
+  std::uint8_t M_MCOUNT = 0;
   OdometerReading counter;
   bool counter_rose = true;  // while the group was read
 };

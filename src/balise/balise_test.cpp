@@ -172,6 +172,46 @@ TEST(Balise, TheLastBaliseReadAgainIsNoPassageOfItsOwn) {  // 3.16.2.2.2: none i
   }
 }
 
+TEST(Balise, AnotherMessageOfTheLastBaliseReadAgainIsJudged) {  // 3.16.2.4.5
+  for (const bool faulty : {true, false}) {
+    Train t;
+    t.pass(13, 5);
+    Balise again{5, 1, 1};
+    if (faulty)
+      again.packets = {test::spare()};
+    else
+      again.M_MCOUNT = 7;
+    t.read_at(15.6, again);
+    t.run_to(46);
+    ASSERT_EQ(t.groups.size(), 2u);
+    EXPECT_FALSE(t.last().accepted);
+    EXPECT_EQ(t.reaction, Reaction::service_brake);
+  }
+}
+
+TEST(Balise, LinkingThatCameBehindTheLastBaliseFindsItsGroupAgain) {  // 3.4.4.4.5.1, 3.4.4.4.6 a
+  Train t;
+  t.situation.linking_checked = true;
+  t.pass(13, 5, false);
+  t.read_at(12.6, Balise{5, 0, 1});  // on the way back
+  t.run_to(11);
+  LinkingList list;
+  static_cast<void>(list.entries.push_back(test::entry(13, 5, Reaction::trip, 5, false)));
+  static_cast<void>(list.entries.push_back(test::entry(87, 6)));
+  store(t.state.linking, list, {{426, 100}, Place{}, 426, true, false}, t.antenna(),
+        CurrentLrbg{{426, 5}, Place{Distance{13}}});
+  ASSERT_EQ(expected(t.state.linking)->id.NID_BG, 5);
+  t.read_at(12.6, Balise{5, 0, 1});
+  t.run_to(40);
+  EXPECT_EQ(t.reaction, Reaction::none);
+  EXPECT_EQ(t.groups.size(), 1u);
+  ASSERT_NE(expected(t.state.linking), nullptr);
+  EXPECT_EQ(expected(t.state.linking)->id.NID_BG, 6);
+  t.pass(100, 6);
+  EXPECT_TRUE(t.last().accepted);
+  EXPECT_EQ(t.reaction, Reaction::none);
+}
+
 TEST(Balise, BackOverTheLastBaliseTheOtherOnesFollowOrAreMissed) {
   Train t;
   t.pass(13, 5);
