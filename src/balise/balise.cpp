@@ -75,7 +75,7 @@ bool read_again(const State& state, const OdometerReading& counter) {
   return same && (counter.nominal > last.counter.nominal) == last.counter_rose;
 }
 
-/// Linking that came while the train stood behind the balise read again may announce its group, which is found then.
+/// Linking that came while the balise read again was ahead of the train may announce its group, which is found then.
 void find_again(State& state, const Situation& situation, Outcome& outcome) {
   const OpenGroup& open = *state.open;
   const Link* next = expected(state.linking);
