@@ -84,10 +84,13 @@ void observe_authority(const State& s, const track::Here& here, procedures::Fact
 /// 4.6.3: an acknowledgement answers what is displayed. What trackside has made groundless in this cycle, a mode area
 /// that it took back or an offer that ended with its session, is not displayed any more. An area that the train enters
 /// now was displayed, and so was one ahead that was asked for in the cycle in which the mode changed (5.9.3.4); in SB
-/// and PT the driver is asked for that at the train alone (5.4.3.2 S25, 5.11.2.2 S170).
+/// and PT the driver is asked for that at the train alone, and for no answer of an RBC whose session has ended (5.4.3.2
+/// S24, S25, 5.11.2.2 S160, S170).
 void withdraw_requests(const State& s, Set<Ack> asked, procedures::Facts& f) {
   const bool at_train_alone = s.mode == Mode::SB || s.mode == Mode::PT;
   const bool mode_changed = s.mode != s.previous_mode;
+  const bool without_answer =
+      s.mode == Mode::PT && level_2_or_3(s.level.level) && !s.radio.supervising.session.established();
   const auto ahead = [&](Mode mode) {
     for (const track::ModeArea& area : s.track.mode_profile)
       if (area.mode == mode) return true;
@@ -95,13 +98,14 @@ void withdraw_requests(const State& s, Set<Ack> asked, procedures::Facts& f) {
   };
   const auto keep = [&](Ack ack, Mode mode, bool at_train) {
     const bool displayed = !at_train_alone && (asked.has(ack) || (mode_changed && ahead(mode)));
-    if (!at_train && !displayed) f.requested.remove(ack);
+    const bool offered = s.mode == Mode::SB ? asked.has(ack) : !without_answer;
+    if (!(at_train && offered) && !displayed) f.requested.remove(ack);
   };
   keep(Ack::OS, Mode::OS, f.profile_demands_OS);
   keep(Ack::LS, Mode::LS, f.profile_demands_LS);
   keep(Ack::SH, Mode::SH, f.profile_demands_SH);
   if (f.standstill && !asked.has(Ack::RV)) f.requested.remove(Ack::RV);  // [59] itself asks for standstill
-  if (s.mode == Mode::SB && !asked.has(Ack::SR)) f.requested.remove(Ack::SR);
+  if (without_answer || (s.mode == Mode::SB && !asked.has(Ack::SR))) f.requested.remove(Ack::SR);
 }
 
 void change_mode(State& s, const Inputs& in, const procedures::Facts& facts, Decided& out, Log log) {

@@ -56,8 +56,10 @@ bool awaits_train_data_acknowledgement(const State& s, const radio::Partner& rbc
   return radio::awaits_train_data_acknowledgement(rbc) || (due && others);
 }
 
-/// 4.8.3 [17], as [3].
-bool awaits_consist_length_acknowledgement(const Reception& r) {
+/// 4.8.3 [17], as [3]. An accepting RBC is asked when it supervises: what it sends waits until then, and so does its
+/// acknowledgement (4.8.2.1 c); that of the RBC before is not its own.
+bool awaits_consist_length_acknowledgement(const Reception& r, SessionRole sender) {
+  if (sender != SessionRole::supervising) return false;
   const radio::Partner& rbc = r.state.radio.supervising;
   const bool changed = r.out.consist_changed && informs_of_consist(r.state);
   return rbc.consist_stamp.has_value() || (radio::knows_manoeuvres(rbc.session) && (rbc.consist_due || changed));
@@ -84,7 +86,7 @@ modes::AcceptanceContext context_of(const Reception& r, const Information& infor
   c.exit_from_trip_recognised = r.out.exit_from_trip || procedures::train_trip::exit_recognised(s.train_trip);
   c.desk_open = r.in.train.desk_open;
   c.train_data_valid = valid(s.data.train_data_status) || authorises_manoeuvre(information);  // 4.8.4 [4]
-  c.consist_length_unacknowledged = awaits_consist_length_acknowledgement(r);
+  c.consist_length_unacknowledged = awaits_consist_length_acknowledgement(r, information.sender);
   c.other_previous_lrbg = information.message != nullptr &&
                           information.message->NID_MESSAGE == message::coordinate_system_assigned &&
                           reported_with_others(s, information.group);
