@@ -190,12 +190,13 @@ class Cycle {
     const bool standstill_supervised = now_.mode == Mode::SB;
     if (turned && standstill_supervised) k_.free_run = -k_.free_run;
     if (run == Distance{} || now_.mode != k_.mode || now_.eb || (turned && !standstill_supervised) || !forbidden()) {
-      k_.free_run = {};
+      k_.free_run = k_.longest_run = {};
       return;
     }
     k_.free_run += run;
-    // What is run in the cycle before and in this one.
-    apply(Rule::runs_unbraked, k_.free_run <= kFreeRun + 2.0 * run, "lets the train run unbraked");
+    if (k_.longest_run < run) k_.longest_run = run;
+    // What is run in the cycle of the beginning and in this one.
+    apply(Rule::runs_unbraked, k_.free_run <= kFreeRun + 2.0 * k_.longest_run, "lets the train run unbraked");
   }
 
   void brakes_and_trip() {

@@ -79,6 +79,7 @@ struct Known {
   std::optional<OdometerPlace> stop;
   bool backward = false;  ///< the train runs
   Distance free_run;      ///< forbidden movement since standstill without a brake
+  Distance longest_run;   ///< of a cycle meanwhile
   std::optional<StatusText> trip_reason;
   Set<Ack> requests;
   std::uint32_t signals = 0;  ///< of driver and train
