@@ -97,8 +97,8 @@ Set<Ack> acknowledgements(Reception& r) {
   Set<Ack> given = Set<Ack>::of_bits(r.in.driver.acknowledged);
   const bool train_data = given.has(Ack::train_data) && r.in.train.desk_open;
   given.remove(Ack::train_data);
-  for (const terms::Row<Ack>& row : kAckRows) {
-    const Ack ack = row.value;
+  for (std::size_t n = 0; n < terms::index(Ack::count); ++n) {
+    const auto ack = static_cast<Ack>(n);
     if (!given.has(ack) || (r.in.train.desk_open && r.state.requested.has(ack))) continue;
     r.log.note(event_of(What::acknowledgement_not_enabled, ack, "4.7.2"_srs));
     given.remove(ack);
