@@ -81,8 +81,8 @@ void find_again(State& state, const Situation& situation, Outcome& outcome) {
   const Link* next = expected(state.linking);
   if (next == nullptr || !(next->id == open.id) || !announced_since(state.linking, open)) return;
   const PlaceInterval& antenna = open.telegrams.front().antenna;
-  const bool inside = antenna.max >= first_possible(state.linking, *next) && antenna.min <= last_possible(*next);
-  if (inside) judge(state.linking, open.id, open.Q_LINK, antenna, situation.linking_checked, outcome);
+  if (in_window(state.linking, *next, antenna))
+    judge(state.linking, open.id, open.Q_LINK, antenna, situation.linking_checked, outcome);
 }
 
 /// Finishes the open group when the counter is at `counter`. A group of which only telegrams of too new a version were

@@ -104,8 +104,7 @@ Judgement judge(LinkingState& linking, GroupId id, bool marked_linked, const Pla
   if (i) return *i == 0 ? judge_expected(linking, antenna, outcome) : judge_later(linking, *i, antenna, outcome);
   const Link* next = expected(linking);
   if (next == nullptr || !next->identity_unknown()) return {Judgement::Verdict::not_announced, std::nullopt};
-  const bool inside = antenna.max >= first_possible(linking, *next) && antenna.min <= last_possible(*next);
-  if (!inside) return {Judgement::Verdict::not_announced, std::nullopt};
+  if (!in_window(linking, *next, antenna)) return {Judgement::Verdict::not_announced, std::nullopt};
   return {Judgement::Verdict::repositioning, *next};
 }
 
@@ -269,6 +268,10 @@ Place first_possible(const LinkingState& linking, const Link& link) {
 }
 
 Place last_possible(const Link& link) { return link.place + link.Q_LOCACC; }
+
+bool in_window(const LinkingState& linking, const Link& link, const PlaceInterval& antenna) {
+  return antenna.max >= first_possible(linking, link) && antenna.min <= last_possible(link);
+}
 
 std::optional<PlaceInterval> window(const LinkingState& linking, const PlaceInterval& antenna) {
   const Link* next = expected(linking);

@@ -143,6 +143,8 @@ const Link* expected(const LinkingState& linking);
 /// The first and last place where it can be found, without odometer tolerance (3.4.4.4.3, .4).
 Place first_possible(const LinkingState& linking, const Link& link);
 Place last_possible(const Link& link);
+/// Whether the antenna may be between these places.
+bool in_window(const LinkingState& linking, const Link& link, const PlaceInterval& antenna);
 /// Its window for the estimated antenna place, for display: [first - under-reading, last + over-reading].
 std::optional<PlaceInterval> window(const LinkingState& linking, const PlaceInterval& antenna);
 

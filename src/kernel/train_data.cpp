@@ -31,6 +31,10 @@ bool acceptable(const train::TrainData& data, Log log) {
   return false;
 }
 
+bool sends_train_data(const State& s) {
+  return valid(s.data.train_data_status) && s.mode != Mode::SL && s.mode != Mode::NL;
+}
+
 bool route_matters(const train::TrainData& before, const train::TrainData& after) {
   return before.cant_deficiency_mm != after.cant_deficiency_mm || before.other_categories != after.other_categories ||
          before.axle_load != after.axle_load || before.loading_gauge != after.loading_gauge ||

@@ -9,6 +9,9 @@ namespace evc::kernel {
 /// Whether the data are within their ranges; if not, this is logged.
 bool acceptable(const train::TrainData& data, Log log);
 
+/// Whether an RBC is given the train data: they are valid, and those of the engine in front (not in SL and NL).
+bool sends_train_data(const State& state);
+
 /// Whether the change concerns train category, axle load, loading gauge or traction system (3.18.3.7).
 bool route_matters(const train::TrainData& before, const train::TrainData& after);
 

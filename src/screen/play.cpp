@@ -705,10 +705,9 @@ void play(Scene& scene, const JsonPlace& given, const JsonPlace& expect) {
       add_request(scene, (*list)[i]);
     }
   if (given.find("ack_shown")) scene.player.run_to(scene.player.now_ms() + kBegin);
-  const auto waiting = given.find("waiting");
   port::Waiting waits = port::Waiting::nothing;
-  if (waiting &&
-      waiting->boolean())  // the hour glass is in the title of one of two windows (015560 11.2.1.6, 11.2.5.6)
+  // The hour glass is in the title of one of two windows (015560 11.2.1.6, 11.2.5.6).
+  if (const auto waiting = given.find("waiting"); waiting && waiting->boolean())
     waits = scene.player.state().window == dmi::WindowId::radio_data ? port::Waiting::network_list
                                                                      : port::Waiting::answer_to_ma_request;
   if (scene.step != nullptr && scene.step->waiting != port::Waiting::nothing) waits = scene.step->waiting;

@@ -3,6 +3,7 @@
 #include "kernel/intake/levels.h"
 #include "kernel/manoeuvre.h"
 #include "kernel/train_category.h"
+#include "kernel/train_data.h"
 #include "lang/decode.h"
 #include "lang/packets/packet_65.h"
 #include "lang/packets/packet_72.h"
@@ -49,8 +50,7 @@ bool repeats_text(const State& s, const lang::PacketView& view) {
 /// 4.8.3 [3]: data that are sent, or will be at the end of this cycle, in which the driver has entered them: what the
 /// RBC sent before it had them is for others.
 bool awaits_train_data_acknowledgement(const State& s, const radio::Partner& rbc) {
-  const bool due =
-      rbc.train_data_pending && valid(s.data.train_data_status) && s.mode != Mode::SL && s.mode != Mode::NL;
+  const bool due = rbc.train_data_pending && sends_train_data(s);
   if (s.srs != SrsVersion::v4_0_0) return rbc.train_data_stamp.has_value() || due;
   const bool others = !rbc.route_data_acknowledged || !(route_data(s.train) == *rbc.route_data_acknowledged);
   return radio::awaits_train_data_acknowledgement(rbc) || (due && others);

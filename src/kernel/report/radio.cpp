@@ -9,6 +9,7 @@
 #include "kernel/report/sessions.h"
 #include "kernel/stored.h"
 #include "kernel/train_category.h"
+#include "kernel/train_data.h"
 #include "modes/active_functions.h"
 #include "track/indication.h"
 #include "track/services.h"
@@ -123,7 +124,7 @@ std::uint8_t request_reasons(const State& s, const Received& received, const Dec
 
 /// The train data that are sent, and whether they are.
 void take_train_data(const State& s, radio::Inputs& in) {
-  in.train_data_valid = valid(s.data.train_data_status) && s.mode != Mode::SL && s.mode != Mode::NL;
+  in.train_data_valid = sends_train_data(s);
   in.route_data = route_data(s.train);
 }
 
